@@ -1,0 +1,10 @@
+# What every target of the project is compiled with. No fused multiply-add: x86, ARM and the RTL must
+# agree bit for bit.
+add_library(runmark_flags INTERFACE)
+target_compile_options(runmark_flags INTERFACE
+  -ffp-contract=off
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+  -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion>)
+if(RUNMARK_WERROR)
+  target_compile_options(runmark_flags INTERFACE -Werror)
+endif()

@@ -1,0 +1,28 @@
+#include "runmark/image_view.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace runmark {
+namespace {
+
+std::array<std::uint8_t, 64> pixels{};
+
+TEST(ImageView, AcceptsWhatFits) {
+  EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 8).check(), Status::ok);
+  EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6).check(), Status::ok);
+  EXPECT_EQ(ImageView::grey(pixels.data() + 56, 8, 8, -8).check(), Status::ok) << "bottom-up";
+  EXPECT_EQ(ImageView::grey(pixels.data(), 1, 1, 0).check(), Status::ok);
+}
+
+TEST(ImageView, RefusesWhatContradictsItself) {
+  EXPECT_EQ(ImageView::grey(nullptr, 8, 8, 8).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 0, 8, 8).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 65536, 1, 65536).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 7).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6, 2).check(), Status::bad_view);
+}
+
+}  // namespace
+}  // namespace runmark
