@@ -1,0 +1,46 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+
+#include "errors.h"
+
+namespace runmark::cli {
+namespace {
+
+void add_commands([[maybe_unused]] CLI::App& app) {}
+
+int run(int argc, char** argv) {
+  CLI::App app("Finds square fiducial markers in images, videos and camera streams", "runmark");
+  app.set_version_flag("--version", "runmark " RUNMARK_VERSION);
+  app.require_subcommand(0, 1);
+  app.get_formatter()->column_width(34);
+  add_commands(app);
+  try {
+    app.parse(argc, argv);
+    // Asked only now, so that `runmark --version` needs no command.
+    if (app.get_subcommands().empty()) throw UserError("no command given; see runmark --help");
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    throw UserError(std::string(error.what()) + "; see runmark --help");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace runmark::cli
+
+// The one place where errors become a line on stderr and an exit status.
+int main(int argc, char** argv) {
+  using namespace runmark::cli;
+  try {
+    return run(argc, argv);
+  } catch (const ExitStatus& status) {
+    return status.value;
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory");
+  } catch (const std::exception& error) {
+    print_error(error.what());
+  }
+  return exit_failure;
+}
