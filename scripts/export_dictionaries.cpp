@@ -19,6 +19,7 @@
 #include <opencv2/aruco.hpp>
 #include <string>
 
+#include "dictionary/cell_rotation.h"
 #include "dictionary/code_distance.h"
 #include "runmark/dictionary.h"
 
@@ -58,8 +59,9 @@ void write(Dictionary dictionary, const std::string& source, const std::filesyst
     }
     out << "\n";
   }
+  const runmark::CellRotation rotation(dictionary.cells, dictionary.width);
   for (std::size_t id = 0; id < dictionary.codes.size(); ++id) {
-    if (runmark::is_own_rotation(dictionary, dictionary.codes[id])) out << "symmetric " << id << "\n";
+    if (rotation.is_own(dictionary.codes[id])) out << "symmetric " << id << "\n";
   }
   out << std::hex << std::setfill('0');
   for (const std::uint64_t code : dictionary.codes) {

@@ -1,11 +1,10 @@
 #include "dictionary/cell_rotation.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace runmark {
 
-CellRotation::CellRotation(std::span<const Cell> cells, int width) {
+CellRotation::CellRotation(std::span<const Cell> cells, int width) : used_((cells.size() + 3) / 4) {
   const std::size_t bits = cells.size();
   for (std::size_t i = 0; i < bits; ++i) {
     const auto found = std::ranges::find(cells, turned_clockwise(cells[i], width));

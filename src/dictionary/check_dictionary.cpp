@@ -48,6 +48,15 @@ std::optional<std::string> check_cells(const Dictionary& dictionary) {
   return std::nullopt;
 }
 
+std::optional<std::string> check_corrected_bits(const Dictionary& dictionary) {
+  if (dictionary.corrected_bits < 0 ||
+      (dictionary.corrected_bits > 0 && 2 * dictionary.corrected_bits >= dictionary.distance)) {
+    return "cannot correct " + std::to_string(dictionary.corrected_bits) + " bits when codes differ in " +
+           std::to_string(dictionary.distance);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> check_dictionary(const Dictionary& dictionary) {
   if (auto problem = check_cells(dictionary)) return problem;
   const auto& codes = dictionary.codes;
@@ -64,12 +73,7 @@ std::optional<std::string> check_dictionary(const Dictionary& dictionary) {
     return "ids " + std::to_string(twice->first) + " and " + std::to_string(twice->second) +
            " have the same code (in some rotation)";
   }
-  if (dictionary.corrected_bits < 0 ||
-      (dictionary.corrected_bits > 0 && 2 * dictionary.corrected_bits >= dictionary.distance)) {
-    return "cannot correct " + std::to_string(dictionary.corrected_bits) + " bits when codes differ in " +
-           std::to_string(dictionary.distance);
-  }
-  return std::nullopt;
+  return check_corrected_bits(dictionary);
 }
 
 }  // namespace runmark

@@ -16,6 +16,9 @@ inline constexpr int max_cells_per_side = 16;  ///< inside the border ring
 /// beyond where its kind of border allows data, or not mapped onto themselves by a quarter turn.
 [[nodiscard]] std::optional<std::string> check_cells(const Dictionary& dictionary);
 
+/// What is wrong with the number of corrected bits: more than keep codes of that distance apart.
+[[nodiscard]] std::optional<std::string> check_corrected_bits(const Dictionary& dictionary);
+
 /// What is wrong with a dictionary, whoever made it; nothing when a detector can use it.
 [[nodiscard]] std::optional<std::string> check_dictionary(const Dictionary& dictionary);
 

@@ -52,12 +52,6 @@ std::optional<std::pair<std::size_t, std::size_t>> equal_codes(const Dictionary&
   return std::pair{twice->second, std::next(twice)->second};
 }
 
-bool is_own_rotation(const Dictionary& dictionary, std::uint64_t code) {
-  const CellRotation rotation(dictionary.cells, dictionary.width);
-  const auto turned = rotations(rotation, code);
-  return turned[2] == code;  // a quarter turn implies the half turn
-}
-
 int safe_corrected_bits(std::size_t bits, std::size_t codes, int distance) {
   const double limit = std::ldexp(1.0, static_cast<int>(bits) - 12);
   double choose = 1;  // C(bits, k)

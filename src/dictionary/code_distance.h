@@ -16,9 +16,6 @@ namespace runmark {
 /// Two ids whose codes are equal in some rotation, the lower first: the same marker twice.
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> equal_codes(const Dictionary& dictionary);
 
-/// True when some rotation of `code` other than none is `code`: its orientation cannot be told.
-[[nodiscard]] bool is_own_rotation(const Dictionary& dictionary, std::uint64_t code);
-
 /// How many wrong bits may safely be corrected: the most, k, that keeps codes apart (2k < distance) and
 /// keeps the share of all possible readings that are accepted at one in 4,096 at most:
 ///     4 codes * (C(bits, 0) + ... + C(bits, k)) / 2^bits <= 2^-12

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "dictionary/cell_rotation.h"
 #include "dictionary/check_dictionary.h"
 #include "dictionary/code_distance.h"
 #include "runmark/dictionary.h"
@@ -195,9 +196,10 @@ class CodesParser {
                std::to_string(code_lines_.size()) + " codes";
       }
     }
+    const CellRotation rotation(dictionary_.cells, dictionary_.width);
     for (std::size_t id = 0; id < code_lines_.size(); ++id) {
       const bool stated = std::ranges::find(symmetric_, id) != symmetric_.end();
-      if (is_own_rotation(dictionary_, dictionary_.codes[id]) != stated) {
+      if (rotation.is_own(dictionary_.codes[id]) != stated) {
         return at_line(
             code_lines_[id],
             "code of id " + std::to_string(id) +
@@ -217,7 +219,7 @@ class CodesParser {
              " codes need a line 'distance'";
     }
     dictionary_.distance = stated_distance_ ? *stated_distance_ : least_distance(dictionary_);
-    if (auto problem = check_dictionary(dictionary_)) return dictionary_.name + ": " + *problem;
+    if (auto problem = check_corrected_bits(dictionary_)) return dictionary_.name + ": " + *problem;
     return std::nullopt;
   }
 

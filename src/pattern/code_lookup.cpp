@@ -41,8 +41,14 @@ double words_within(int width, int radius) {
   return words;
 }
 
+/// About four buckets for each code, so that most are empty; at most 2^17.
 int bucket_bits(int width, std::size_t codes) {
-  return std::clamp(static_cast<int>(std::bit_width(codes - 1)), 1, width);
+  return std::min({static_cast<int>(std::bit_width(codes)) + 2, 17, width});
+}
+
+bool at_most(std::uint64_t errors, int most) {
+  for (int i = 0; i < most; ++i) errors &= errors - 1;  // clears the lowest one
+  return errors == 0;
 }
 
 }  // namespace
@@ -84,7 +90,7 @@ CodeLookup::Chunk CodeLookup::make_chunk(int shift, int width, int radius) const
   chunk.shift = shift;
   chunk.width = width;
   chunk.bucket_bits = bucket_bits(width, codes_.size());
-  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio: Fibonacci hashing
+  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio: spreads well
   chunk.multiplier = chunk.bucket_bits == width ? std::uint64_t{1} << (64 - width) : golden;
   for (int weight = 0; weight <= radius; ++weight) append_words(width, weight, chunk.errors);
   for (std::uint64_t& error : chunk.errors) error <<= shift;
@@ -113,12 +119,12 @@ std::optional<CodeMatch> CodeLookup::find(std::uint64_t sampled) const {
         const std::size_t bucket = chunk.bucket(code ^ error);
         for (std::uint32_t i = chunk.starts[bucket]; i < chunk.starts[bucket + 1]; ++i) {
           const std::uint16_t id = chunk.ids[i];
-          const int hamming = std::popcount(codes_[id] ^ code);
-          if (hamming <= corrected_bits_) return CodeMatch{id, rotation, hamming};
+          const std::uint64_t errors = codes_[id] ^ code;
+          if (at_most(errors, corrected_bits_)) return CodeMatch{id, rotation, std::popcount(errors)};
         }
       }
     }
-    code = rotation_.turned_back(code);
+    if (rotation < 3) code = rotation_.turned_back(code);
   }
   return std::nullopt;
 }
