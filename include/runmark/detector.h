@@ -38,8 +38,7 @@ struct Detection {
 class Detector {
  public:
   /// Errors: no dictionary, an option out of its range, a dictionary the pipeline cannot read.
-  [[nodiscard]] static Result<Detector> create(const Options& options,
-                                               std::vector<Dictionary> dictionaries);
+  [[nodiscard]] static Result<Detector> create(const Options& options, std::vector<Dictionary> dictionaries);
   Detector(Detector&&) noexcept;
   Detector& operator=(Detector&&) noexcept;
   ~Detector();

@@ -28,14 +28,14 @@ enum class Border : std::uint8_t {
 
 /// A set of markers as data: where the data cells are and what each code puts into them.
 struct Dictionary {
-  std::string name;             ///< as asked for: DICT_4X4_50, tag36h11, ARUCO_MIP_36h12, a file's stem
-  int width = 0;                ///< cells along the side of the detected square, border included
+  std::string name;  ///< as asked for: DICT_4X4_50, tag36h11, ARUCO_MIP_36h12, a file's stem
+  int width = 0;     ///< cells along the side of the detected square, border included
   Border border = Border::black;
-  std::vector<Cell> cells;      ///< the data cells, at most 64; row-major unless the family says otherwise
+  std::vector<Cell> cells;  ///< the data cells, at most 64; row-major unless the family says otherwise
   std::vector<std::uint64_t> codes;  ///< one code an id; cells[0] is the most significant of
                                      ///< cells.size() bits; 1 is white
-  int corrected_bits = 0;       ///< how many wrong bits may be corrected: safe by default
-  int distance = 0;             ///< the least Hamming distance of two codes in any rotation
+  int corrected_bits = 0;            ///< how many wrong bits may be corrected: safe by default
+  int distance = 0;                  ///< the least Hamming distance of two codes in any rotation
 };
 
 /// Names of the dictionaries that come with runmark, sorted.

@@ -154,9 +154,14 @@ class ContourLinker {
     const RecordIndex record = pool_.take(exit_of(run), y, no_record);
     if (record == no_record) return give_up(down, counts_.dropped_full);
     pool_.link(tail.record, record);
-    ClosedChain chain{&pool_, head.record, record, head.records + tail.records + 1,
+    ClosedChain chain{&pool_,
+                      head.record,
+                      record,
+                      head.records + tail.records + 1,
                       head.turns + tail.turns + 1,
-                      std::min(head.top, tail.top), y, run.top};
+                      std::min(head.top, tail.top),
+                      y,
+                      run.top};
     const bool obeys = chain.turns <= limits_.max_turns && chain.records <= limits_.max_records &&
                        chain.bottom - chain.top >= limits_.min_height && (limits_.holes || !chain.hole);
     if (obeys) {
@@ -208,7 +213,8 @@ class ContourLinker {
     const std::size_t records = one.records + other.records;
     // Which of the two is the list's head does not matter to its owner, but the list runs one way.
     const bool one_is_tail = pool_[one.record].next == no_record;
-    pool_.give_back(one_is_tail ? other.record : one.record, one_is_tail ? one.record : other.record, records);
+    pool_.give_back(one_is_tail ? other.record : one.record, one_is_tail ? one.record : other.record,
+                    records);
     one.dead = true;
     other.dead = true;
   }

@@ -9,9 +9,7 @@
 namespace runmark {
 
 /// The most runs a row of that width can have.
-[[nodiscard]] constexpr std::size_t max_crack_runs(int width) {
-  return static_cast<std::size_t>(width) + 1;
-}
+[[nodiscard]] constexpr std::size_t max_crack_runs(int width) { return static_cast<std::size_t>(width) + 1; }
 
 /// Finds the crack runs between `above` and `current`, left to right: the runs of ones of row XOR row
 /// above, told apart by which row is dark (docs/design.md, contours from crack events).
