@@ -109,7 +109,10 @@ TEST(ParseCodes, SaysWhatIsWrongAndWhere) {
 
 TEST(ParseCodes, PrintsStrangeBytesAsQuestionMarks) {
   const std::string error = error_of(std::string("4 0\n\x01\xff\x00z\n", 9));
-  EXPECT_EQ(error, "mine, line 2: '?" "?" "?z' is not a code of up to 16 hexadecimal digits");
+  EXPECT_EQ(error,
+            "mine, line 2: '?"
+            "?"
+            "?z' is not a code of up to 16 hexadecimal digits");
 }
 
 TEST(ParseCodes, TakesASymmetricCodeThatIsStated) {
