@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runmark/dictionary.h"
+#include "runmark/export.h"
 #include "runmark/image_view.h"
 #include "runmark/marker.h"
 #include "runmark/options.h"
@@ -35,7 +36,7 @@ struct Detection {
 
 /// Finds markers. Owns all its memory, set aside when it is made; a call allocates nothing, prints
 /// nothing and throws nothing. One detector serves one thread at a time.
-class Detector {
+class RUNMARK_EXPORT Detector {
  public:
   /// Errors: no dictionary, an option out of its range, a dictionary the pipeline cannot read.
   [[nodiscard]] static Result<Detector> create(const Options& options, std::vector<Dictionary> dictionaries);

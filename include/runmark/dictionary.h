@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runmark/export.h"
 #include "runmark/result.h"
 
 namespace runmark {
@@ -39,17 +40,17 @@ struct Dictionary {
 };
 
 /// Names of the dictionaries that come with runmark, sorted.
-[[nodiscard]] std::span<const std::string_view> dictionary_names();
+[[nodiscard]] RUNMARK_EXPORT std::span<const std::string_view> dictionary_names();
 
 /// The built-in dictionary of that name (OpenCV's, AprilTag's and MIP names; an AprilTag family has
 /// two: DICT_APRILTAG_36h11 is tag36h11), or an error that names close ones.
-[[nodiscard]] Result<Dictionary> builtin_dictionary(std::string_view name);
+[[nodiscard]] RUNMARK_EXPORT Result<Dictionary> builtin_dictionary(std::string_view name);
 
 /// Reads the text of a .codes file; see docs/dictionaries.md for the format. `name` becomes the
 /// dictionary's name. Errors give the line.
-[[nodiscard]] Result<Dictionary> parse_codes(std::string_view text, std::string name);
+[[nodiscard]] RUNMARK_EXPORT Result<Dictionary> parse_codes(std::string_view text, std::string name);
 
 /// A built-in name, or the path of a .codes file when the argument ends in ".codes".
-[[nodiscard]] Result<Dictionary> load_dictionary(const std::string& name_or_path);
+[[nodiscard]] RUNMARK_EXPORT Result<Dictionary> load_dictionary(const std::string& name_or_path);
 
 }  // namespace runmark

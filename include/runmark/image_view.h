@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runmark/export.h"
 #include "runmark/status.h"
 
 namespace runmark {
@@ -47,7 +48,7 @@ struct ImageView {
 
   /// Status::ok, or Status::bad_view when the fields contradict each other: no data, a side outside
   /// 1 to 65535, a step smaller than a pixel, or a stride smaller than a row.
-  [[nodiscard]] Status check() const;
+  [[nodiscard]] RUNMARK_EXPORT Status check() const;
 };
 
 }  // namespace runmark

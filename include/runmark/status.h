@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "runmark/export.h"
+
 namespace runmark {
 
 /// What became of a call that cannot allocate, and so cannot carry a message of its own.
@@ -14,6 +16,6 @@ enum class Status : std::uint8_t {
 };
 
 /// One line for a person.
-[[nodiscard]] std::string_view describe(Status status);
+[[nodiscard]] RUNMARK_EXPORT std::string_view describe(Status status);
 
 }  // namespace runmark

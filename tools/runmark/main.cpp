@@ -3,6 +3,7 @@
 #include <new>
 
 #include "errors.h"
+#include "runmark/version.h"
 
 namespace runmark::cli {
 namespace {

@@ -1,0 +1,29 @@
+# What `cmake --install` puts where: the library, its headers, a CMake package, a pkg-config file and the
+# manual page. The command line is installed by tools/.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS runmark EXPORT runmark_targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/runmark ${PROJECT_BINARY_DIR}/include/runmark
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/runmark)
+install(EXPORT runmark_targets NAMESPACE runmark:: FILE runmark-targets.cmake DESTINATION ${package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/runmark-config.cmake.in
+  ${PROJECT_BINARY_DIR}/runmark-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/runmark-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/runmark-config.cmake ${PROJECT_BINARY_DIR}/runmark-config-version.cmake
+  DESTINATION ${package_dir})
+
+# Its paths are relative to the file itself, so that the tree can be moved.
+file(RELATIVE_PATH pc_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/runmark.pc.in ${PROJECT_BINARY_DIR}/runmark.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/runmark.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(RUNMARK_TOOLS)
+  configure_file(${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in ${PROJECT_BINARY_DIR}/runmark.1 @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/runmark.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
