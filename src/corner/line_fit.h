@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "runmark/marker.h"
+
+namespace runmark {
+
+/// The line of all p with normal . p = offset; the normal has length 1.
+struct Line {
+  Point normal{};
+  double offset = 0;
+  [[nodiscard]] double distance(Point p) const { return normal.x * p.x + normal.y * p.y - offset; }
+};
+
+/// Where two lines meet, or nothing when they are within half a degree of parallel.
+[[nodiscard]] inline std::optional<Point> meet(const Line& a, const Line& b) {
+  constexpr double least_sine = 0.0087;
+  const double sine = a.normal.x * b.normal.y - a.normal.y * b.normal.x;
+  if (std::fabs(sine) < least_sine) return std::nullopt;
+  return Point{(a.offset * b.normal.y - b.offset * a.normal.y) / sine,
+               (a.normal.x * b.offset - b.normal.x * a.offset) / sine};
+}
+
+/// Weighted moments of points: the total least squares line through them without keeping them.
+/// Coordinates are taken relative to an origin near the points, so that nothing cancels.
+class LineFit {
+ public:
+  explicit LineFit(Point origin) : origin_(origin) {}
+
+  void add(Point p, double weight) {
+    const double x = p.x - origin_.x;
+    const double y = p.y - origin_.y;
+    add_moments(weight, weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y);
+  }
+
+  /// The unit cracks of an axis-parallel run from `a` to `b`, by their midpoints.
+  void add_cracks(Point a, Point b) {
+    const double length = std::fabs(b.x - a.x) + std::fabs(b.y - a.y);
+    const double x = (a.x + b.x) / 2 - origin_.x;
+    const double y = (a.y + b.y) / 2 - origin_.y;
+    const double spread = (length * length * length - length) / 12;  // of `length` unit steps about their mean
+    add_moments(length, length * x, length * y, length * x * x + (a.y == b.y ? spread : 0), length * x * y,
+                length * y * y + (a.x == b.x ? spread : 0));
+  }
+
+  [[nodiscard]] double weight() const { return n_; }
+
+  /// The line with the least squared distances; nothing with fewer than two points' weight.
+  [[nodiscard]] std::optional<Line> line() const {
+    if (n_ <= 0) return std::nullopt;
+    const double mx = sx_ / n_;
+    const double my = sy_ / n_;
+    const double cxx = sxx_ / n_ - mx * mx;
+    const double cxy = sxy_ / n_ - mx * my;
+    const double cyy = syy_ / n_ - my * my;
+    const double half = (cxx - cyy) / 2;
+    const double root = std::sqrt(half * half + cxy * cxy);
+    if (root <= 0) return std::nullopt;
+    // Direction of the larger eigenvalue, by the better conditioned of two formulas.
+    Point along = half >= 0 ? Point{half + root, cxy} : Point{cxy, root - half};
+    const double length = std::sqrt(along.x * along.x + along.y * along.y);
+    if (length <= 0) return std::nullopt;
+    const Point normal{-along.y / length, along.x / length};
+    return Line{normal, normal.x * (mx + origin_.x) + normal.y * (my + origin_.y)};
+  }
+
+  /// Mean squared distance from the fitted line.
+  [[nodiscard]] double mean_square() const {
+    if (n_ <= 0) return 0;
+    const double mx = sx_ / n_;
+    const double my = sy_ / n_;
+    const double cxx = sxx_ / n_ - mx * mx;
+    const double cxy = sxy_ / n_ - mx * my;
+    const double cyy = syy_ / n_ - my * my;
+    const double half = (cxx - cyy) / 2;
+    const double smaller = (cxx + cyy) / 2 - std::sqrt(half * half + cxy * cxy);
+    return smaller > 0 ? smaller : 0;
+  }
+
+ private:
+  void add_moments(double n, double x, double y, double xx, double xy, double yy) {
+    n_ += n;
+    sx_ += x;
+    sy_ += y;
+    sxx_ += xx;
+    sxy_ += xy;
+    syy_ += yy;
+  }
+
+  Point origin_;
+  double n_ = 0;
+  double sx_ = 0;
+  double sy_ = 0;
+  double sxx_ = 0;
+  double sxy_ = 0;
+  double syy_ = 0;
+};
+
+}  // namespace runmark

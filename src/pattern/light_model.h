@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "pattern/grey_frame.h"
+#include "pattern/homography.h"
+
+namespace runmark {
+
+/// A grey level that varies linearly over the marker: value at cell coordinates (u, v).
+struct GreyPlane {
+  double level = 0;
+  double du = 0;
+  double dv = 0;
+  [[nodiscard]] double at(double u, double v) const { return level + du * u + dv * v; }
+};
+
+/// What black and white look like over a marker, fitted to the ring of cells just inside the square and
+/// the ring just outside it.
+struct LightModel {
+  GreyPlane inside;
+  GreyPlane outside;
+};
+
+/// Samples both rings of a marker `width` cells wide. Nothing when the ring inside is not, nearly
+/// everywhere, on its side of the middle level: then the quadrilateral is no marker's border.
+[[nodiscard]] std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& cells, int width,
+                                                  bool light_inside);
+
+}  // namespace runmark

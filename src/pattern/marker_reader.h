@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "corner/quad.h"
+#include "pattern/code_lookup.h"
+#include "pattern/grey_frame.h"
+#include "pattern/homography.h"
+#include "pattern/light_model.h"
+#include "runmark/dictionary.h"
+#include "runmark/marker.h"
+
+namespace runmark {
+
+/// What the reader accepts.
+struct ReaderLimits {
+  int corrected_bits = -1;  ///< for every dictionary, or -1 for each dictionary's own
+  float min_margin = 0;
+  bool inverted = false;    ///< also read white-on-black markers
+};
+
+/// Reads a quadrilateral as a marker of one of several dictionaries: places the cells by the homography of
+/// its four corners, tells black from white by a light model, and looks the code up in four rotations.
+class MarkerReader {
+ public:
+  MarkerReader(const std::vector<Dictionary>& dictionaries, const ReaderLimits& limits);
+
+  /// The marker with the fewest corrected bits among all dictionaries, then the one asked for first.
+  [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
+
+  /// The widest marker's cells along a side, the narrowest's.
+  [[nodiscard]] int most_cells() const { return most_cells_; }
+  [[nodiscard]] bool reads(bool light_inside) const { return light_inside ? reads_light_ : reads_dark_; }
+  [[nodiscard]] std::size_t memory() const;
+
+ private:
+  struct Book {
+    const Dictionary* dictionary;
+    CodeLookup lookup;
+  };
+  /// Dictionaries whose cells lie alike: sampled once.
+  struct Layout {
+    int width;
+    Border border;
+    std::vector<Cell> cells;
+    std::vector<Book> books;
+  };
+  struct Reading {
+    std::uint64_t code = 0;
+    float margin = 0;
+  };
+  [[nodiscard]] static Reading sample(const GreyFrame& frame, const Homography& place, const LightModel& light,
+                                      const Layout& layout);
+
+  std::vector<Layout> layouts_;
+  ReaderLimits limits_;
+  int most_cells_ = 0;
+  bool reads_dark_ = false;
+  bool reads_light_ = false;
+};
+
+}  // namespace runmark

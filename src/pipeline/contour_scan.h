@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contour/contour_linker.h"
+#include "preprocess/border.h"
+#include "preprocess/crack_runs.h"
+#include "preprocess/filter.h"
+
+namespace runmark {
+
+/// Bit rows in, closed chains out: the preprocess and contour cores over one stream of rows.
+class ContourScan {
+ public:
+  ContourScan(int max_width, std::size_t records, const ChainLimits& limits, Connectivity connectivity,
+              std::uint8_t filter_cases)
+      : connectivity_(connectivity),
+        filter_cases_(filter_cases),
+        records_(records),
+        ends_(max_chain_ends(max_width)),
+        end_at_(static_cast<std::size_t>(max_width) + 1),
+        runs_(max_crack_runs(max_width)),
+        linker_(records_, ends_, end_at_, limits) {
+    for (auto& row : raw_) row.resize(bit_words(max_width));
+    for (auto& row : clean_) row.resize(bit_words(max_width));
+  }
+
+  void begin_frame(int width, int height) {
+    width_ = width;
+    height_ = height;
+    y_ = 0;
+    for (auto& row : raw_) std::fill(row.begin(), row.end(), BitWord{0});
+    for (auto& row : clean_) std::fill(row.begin(), row.end(), BitWord{0});
+    linker_.begin_frame();
+  }
+
+  /// Where the next row is to be written before `advance`.
+  [[nodiscard]] BitWord* next_row() { return raw_[2].data(); }
+
+  /// Takes the row written to next_row. The chains it closes go to `sink`. With a filter the contours run
+  /// one row late, since a row is filtered when the row below it is in.
+  template <class Sink>
+  void advance(Sink&& sink) {
+    clear_border(raw_[2].data(), width_, y_, height_);
+    if (filter_cases_ == 0) {
+      follow(raw_[1].data(), raw_[2].data(), y_, sink);
+    } else if (y_ > 0) {
+      filter_row(raw_[0].data(), raw_[1].data(), raw_[2].data(), width_, filter_cases_, clean_[1].data());
+      follow(clean_[0].data(), clean_[1].data(), y_ - 1, sink);
+      std::swap(clean_[0], clean_[1]);
+      if (y_ + 1 == height_) {
+        follow(clean_[0].data(), raw_[2].data(), y_, sink);  // the last row is border: white, nothing to filter
+      }
+    }
+    std::rotate(raw_.begin(), raw_.begin() + 1, raw_.end());
+    ++y_;
+  }
+
+  [[nodiscard]] const ContourLinker& linker() const { return linker_; }
+  [[nodiscard]] std::size_t memory() const {
+    return records_.size() * sizeof(Record) + ends_.size() * sizeof(ChainEnd) + end_at_.size() * sizeof(EndIndex) +
+           runs_.size() * sizeof(CrackRun) + 5 * raw_[0].size() * sizeof(BitWord);
+  }
+
+ private:
+  template <class Sink>
+  void follow(const BitWord* above, const BitWord* current, int y, Sink&& sink) {
+    const std::size_t count = find_crack_runs(above, current, width_, connectivity_, runs_);
+    linker_.row(static_cast<std::uint16_t>(y), std::span<const CrackRun>(runs_).first(count), sink);
+  }
+
+  Connectivity connectivity_;
+  std::uint8_t filter_cases_;
+  int width_ = 0;
+  int height_ = 0;
+  int y_ = 0;
+  std::array<std::vector<BitWord>, 3> raw_;    // above, current, next
+  std::array<std::vector<BitWord>, 2> clean_;  // filtered: above, current
+  std::vector<Record> records_;
+  std::vector<ChainEnd> ends_;
+  std::vector<EndIndex> end_at_;
+  std::vector<CrackRun> runs_;
+  ContourLinker linker_;
+};
+
+}  // namespace runmark

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "pattern/grey_frame.h"
+#include "runmark/detector.h"
+
+namespace runmark {
+
+class FoundMarkers;
+
+/// The five cores put together in one way, fed a row at a time.
+class FramePipeline {
+ public:
+  virtual ~FramePipeline() = default;
+  virtual void begin_frame(int width, int height) = 0;
+  /// Row `frame.height - 1` has come in. New markers go to `found`, in pixels of the frame.
+  virtual void push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) = 0;
+  /// The frame is complete: the counts of the whole frame.
+  virtual void end_frame(FrameStats& stats) = 0;
+  [[nodiscard]] virtual std::size_t memory() const = 0;
+};
+
+}  // namespace runmark

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "corner/quad_from_chain.h"
+#include "pattern/marker_reader.h"
+#include "pipeline/octave.h"
+#include "pipeline/pipeline.h"
+#include "pipeline/row_store.h"
+
+namespace runmark {
+
+/// `--pipeline default`: light-following threshold at several scales, quadrilaterals at any rotation,
+/// corners refined on grey edges, cells read through the homography.
+class StandardPipeline final : public FramePipeline {
+ public:
+  StandardPipeline(const Options& options, const std::vector<Dictionary>& dictionaries);
+
+  void begin_frame(int width, int height) override;
+  void push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) override;
+  void end_frame(FrameStats& stats) override;
+  [[nodiscard]] std::size_t memory() const override;
+
+ private:
+  struct Scale {
+    Octave octave;
+    RowStore rows;       // grey rows of this scale; of the frame itself only where it must be converted
+    QuadLimits limits;
+  };
+  void push_scaled(std::size_t level, const std::uint8_t* grey, int y, const GreyFrame& frame,
+                   FoundMarkers& found, FrameStats& stats);
+  void consider(std::size_t level, const ClosedChain& chain, const GreyFrame& frame, FoundMarkers& found,
+                FrameStats& stats);
+
+  Options options_;
+  MarkerReader reader_;
+  std::vector<Scale> scales_;
+  std::size_t scales_used_ = 0;  // of this frame
+  std::vector<Vertex> vertices_;
+};
+
+}  // namespace runmark
