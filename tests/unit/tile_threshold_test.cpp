@@ -1,0 +1,117 @@
+#include "threshold/tile_threshold.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace runmark {
+namespace {
+
+using Grey = std::vector<std::uint8_t>;
+
+/// The definition, pixel by pixel over the whole frame: extremes of the 3x3 tiles round the pixel's own.
+bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, int contrast) {
+  const int tile_x = x / tile_side;
+  const int tile_y = y / tile_side;
+  int low = 255;
+  int high = 0;
+  for (int v = std::max(0, (tile_y - 1) * tile_side); v < std::min(height, (tile_y + 2) * tile_side); ++v) {
+    for (int u = std::max(0, (tile_x - 1) * tile_side); u < std::min(width, (tile_x + 2) * tile_side); ++u) {
+      const int value = grey[static_cast<std::size_t>(v * width + u)];
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return high - low >= contrast && grey[static_cast<std::size_t>(y * width + x)] < (low + high + 1) / 2;
+}
+
+std::vector<bool> threshold_by_bands(const Grey& grey, int width, int height, int contrast) {
+  TileThreshold threshold(width);
+  threshold.begin_frame(width, contrast);
+  std::vector<bool> dark;
+  TileBand waiting{};
+  const auto emit = [&](int first) {
+    std::vector<BitWord> bits(bit_words(width));
+    for (int i = 0; i < tile_side && first + i < height; ++i) {
+      threshold_row(waiting[static_cast<std::size_t>(i)], width, threshold.levels(), bits.data());
+      for (int x = 0; x < width; ++x) dark.push_back(bit_at(bits.data(), x));
+    }
+  };
+  for (int y = 0; y < height; y += tile_side) {
+    TileBand band{};
+    for (int i = 0; i < tile_side; ++i) {
+      band[static_cast<std::size_t>(i)] = grey.data() + std::min(y + i, height - 1) * width;
+    }
+    threshold.add_band(band);
+    if (y > 0) emit(y - tile_side);
+    waiting = band;
+  }
+  threshold.finish();
+  emit((height - 1) / tile_side * tile_side);
+  return dark;
+}
+
+TEST(TileThreshold, FollowsItsDefinitionAtEverySize) {
+  std::mt19937 random(7);
+  for (const int width : {1, 3, 4, 5, 16, 63, 64, 65, 130}) {
+    for (const int height : {1, 2, 4, 5, 9, 12, 17}) {
+      // Too few tiles for a noise estimate: the contrast limit is the given one.
+      Grey grey(static_cast<std::size_t>(width * height));
+      for (auto& g : grey) g = static_cast<std::uint8_t>(random() % 64);
+      const std::vector<bool> dark = threshold_by_bands(grey, width, height, 40);
+      ASSERT_EQ(dark.size(), grey.size());
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          ASSERT_EQ(dark[static_cast<std::size_t>(y * width + x)],
+                    dark_by_definition(grey, width, height, x, y, 40))
+              << width << "x" << height << " at " << x << "," << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(TileThreshold, FlatIsWhiteAndEdgesFollowTheLight) {
+  const int width = 64;
+  const int height = 16;
+  Grey grey(static_cast<std::size_t>(width * height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      // Light falls from 40 to 230; a dark bar of 60 % reflectance stands at x 30 to 33.
+      const int light = 40 + 3 * x;
+      grey[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(x >= 30 && x < 34 ? light * 6 / 10 : light);
+    }
+  }
+  const std::vector<bool> dark = threshold_by_bands(grey, width, height, 36);
+  for (int x = 0; x < width; ++x) EXPECT_EQ(dark[static_cast<std::size_t>(x)], x >= 30 && x < 34) << x;
+}
+
+TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
+  std::mt19937 random(1);
+  for (const double sigma : {0.5, 2.0, 5.0}) {
+    std::normal_distribution<double> noise(128, sigma);
+    NoiseFloor floor;
+    floor.begin_frame();
+    EXPECT_EQ(floor.contrast_limit(12), 12) << "nothing seen yet";
+    for (int band = 0; band < 40; ++band) {
+      std::vector<std::uint8_t> low(160, 255);
+      std::vector<std::uint8_t> high(160, 0);
+      for (std::size_t tile = 0; tile < low.size(); ++tile) {
+        for (int i = 0; i < tile_side * tile_side; ++i) {
+          const auto value = static_cast<std::uint8_t>(std::clamp(std::lround(noise(random)), 0L, 255L));
+          low[tile] = std::min(low[tile], value);
+          high[tile] = std::max(high[tile], value);
+        }
+      }
+      floor.add(low.data(), high.data(), 160);
+    }
+    const int limit = floor.contrast_limit(5);
+    EXPECT_GT(limit, 5.5 * sigma) << "above the usual range of nine tiles of noise";
+    EXPECT_LT(limit, 8 * sigma + 3);
+  }
+}
+
+}  // namespace
+}  // namespace runmark
