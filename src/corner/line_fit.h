@@ -40,7 +40,8 @@ class LineFit {
     const double length = std::fabs(b.x - a.x) + std::fabs(b.y - a.y);
     const double x = (a.x + b.x) / 2 - origin_.x;
     const double y = (a.y + b.y) / 2 - origin_.y;
-    const double spread = (length * length * length - length) / 12;  // of `length` unit steps about their mean
+    const double spread =
+        (length * length * length - length) / 12;  // of `length` unit steps about their mean
     add_moments(length, length * x, length * y, length * x * x + (a.y == b.y ? spread : 0), length * x * y,
                 length * y * y + (a.x == b.x ? spread : 0));
   }

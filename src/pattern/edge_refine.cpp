@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "corner/line_fit.h"
@@ -16,8 +17,13 @@ struct EdgeSample {
   double weight = 0;
 };
 
-EdgeSample edge_near(const GreyFrame& frame, Point at, Point normal, double centre, double reach, double step,
-                     double sign) {
+/// The first search weighs by the square, which singles out the strongest edge within reach; the second,
+/// closely round it, weighs the rise itself: its first moment is where an evenly lit pixel grid was cut.
+enum class Weigh : std::uint8_t { square, rise };
+
+EdgeSample edge_near(const GreyFrame& frame, Point at, Point normal, double centre, double reach, double sign,
+                     Weigh weigh) {
+  constexpr double step = 0.5;
   const auto grey = [&](double n) {
     return static_cast<double>(
         frame.sample(static_cast<float>(at.x + n * normal.x), static_cast<float>(at.y + n * normal.y)));
@@ -30,11 +36,12 @@ EdgeSample edge_near(const GreyFrame& frame, Point at, Point normal, double cent
     const double rise = sign * (after - before);
     before = after;
     if (rise <= 0) continue;
-    weight += rise * rise;
-    sum += rise * rise * n;
+    const double share = weigh == Weigh::square ? rise * rise : rise;
+    weight += share;
+    sum += share * n;
   }
   if (weight <= 0) return {};
-  return {sum / weight, weight};
+  return {sum / weight, weigh == Weigh::square ? weight : weight * weight};
 }
 
 std::optional<Line> refine_side(const GreyFrame& frame, Point a, Point b, double reach, double sign) {
@@ -56,7 +63,8 @@ std::optional<Line> refine_side(const GreyFrame& frame, Point a, Point b, double
       const double t = margin + (1 - 2 * margin) * (i + 0.5) / samples;
       const Point at{a.x + t * u.x, a.y + t * u.y};
       const double centre = centre_a + t * (centre_b - centre_a);
-      const EdgeSample edge = edge_near(frame, at, normal, centre, width, 0.5, sign);
+      const EdgeSample edge =
+          edge_near(frame, at, normal, centre, width, sign, pass == 0 ? Weigh::square : Weigh::rise);
       if (edge.weight <= 16) continue;
       ++clear;
       fit.add({at.x + edge.offset * normal.x, at.y + edge.offset * normal.y}, edge.weight);

@@ -5,6 +5,15 @@
 #include <cmath>
 
 namespace runmark {
+namespace {
+
+int overhang_of(const Dictionary& dictionary) {
+  int overhang = 0;
+  for (const Cell cell : dictionary.cells) overhang = std::max({overhang, -cell.x, -cell.y});
+  return overhang;
+}
+
+}  // namespace
 
 MarkerReader::MarkerReader(const std::vector<Dictionary>& dictionaries, const ReaderLimits& limits)
     : limits_(limits) {
@@ -14,9 +23,11 @@ MarkerReader::MarkerReader(const std::vector<Dictionary>& dictionaries, const Re
       return layout.width == dictionary.width && layout.border == dictionary.border &&
              layout.cells == dictionary.cells;
     });
-    Layout& layout = same != layouts_.end() ? *same
-                                            : layouts_.emplace_back(Layout{dictionary.width, dictionary.border,
-                                                                           dictionary.cells, {}});
+    Layout& layout =
+        same != layouts_.end()
+            ? *same
+            : layouts_.emplace_back(
+                  Layout{dictionary.width, dictionary.border, dictionary.cells, overhang_of(dictionary), {}});
     layout.books.push_back({&dictionary, CodeLookup(dictionary, bits)});
     most_cells_ = std::max(most_cells_, dictionary.width);
     const bool reversed = dictionary.border == Border::reversed;
@@ -31,6 +42,20 @@ std::size_t MarkerReader::memory() const {
     for (const Book& book : layout.books) bytes += book.lookup.memory();
   }
   return bytes;
+}
+
+int MarkerReader::lowest_row(const Quad& quad) const {
+  double lowest = -1;
+  for (const Layout& layout : layouts_) {
+    if (layout.overhang == 0 || !fits(layout, quad)) continue;
+    const Homography place(quad.corners, layout.width);
+    const double low = -layout.overhang;
+    const double high = layout.width + layout.overhang;
+    for (const Point p : {place(low, low), place(high, low), place(high, high), place(low, high)}) {
+      lowest = std::max(lowest, p.y);
+    }
+  }
+  return static_cast<int>(std::min(std::ceil(lowest), 65535.0));
 }
 
 MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homography& place,
@@ -61,9 +86,8 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
 std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad) const {
   std::optional<Marker> best;
   for (const Layout& layout : layouts_) {
+    if (!fits(layout, quad)) continue;
     const bool reversed = layout.border == Border::reversed;
-    const bool inverted = quad.light_inside != reversed;
-    if (inverted && !limits_.inverted) continue;
     const Homography place(quad.corners, layout.width);
     const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside);
     if (!light) continue;
@@ -83,7 +107,7 @@ std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& qua
       marker.id = match->id;
       marker.hamming = match->hamming;
       marker.margin = reading.margin;
-      marker.inverted = inverted;
+      marker.inverted = quad.light_inside != reversed;
       for (std::size_t i = 0; i < 4; ++i) {
         marker.corners[i] = quad.corners[(i + static_cast<std::size_t>(match->rotation)) % 4];
       }

@@ -18,7 +18,7 @@ namespace runmark {
 struct ReaderLimits {
   int corrected_bits = -1;  ///< for every dictionary, or -1 for each dictionary's own
   float min_margin = 0;
-  bool inverted = false;    ///< also read white-on-black markers
+  bool inverted = false;  ///< also read white-on-black markers
 };
 
 /// Reads a quadrilateral as a marker of one of several dictionaries: places the cells by the homography of
@@ -30,7 +30,11 @@ class MarkerReader {
   /// The marker with the fewest corrected bits among all dictionaries, then the one asked for first.
   [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
 
-  /// The widest marker's cells along a side, the narrowest's.
+  /// The lowest row that reading this quadrilateral may look at because of data cells below the square; -1
+  /// when all cells lie inside it.
+  [[nodiscard]] int lowest_row(const Quad& quad) const;
+
+  /// The widest marker's cells along a side.
   [[nodiscard]] int most_cells() const { return most_cells_; }
   [[nodiscard]] bool reads(bool light_inside) const { return light_inside ? reads_light_ : reads_dark_; }
   [[nodiscard]] std::size_t memory() const;
@@ -45,14 +49,19 @@ class MarkerReader {
     int width;
     Border border;
     std::vector<Cell> cells;
+    int overhang;  // cells by which the data reach beyond the square
     std::vector<Book> books;
   };
+  [[nodiscard]] bool fits(const Layout& layout, const Quad& quad) const {
+    const bool inverted = quad.light_inside != (layout.border == Border::reversed);
+    return !inverted || limits_.inverted;
+  }
   struct Reading {
     std::uint64_t code = 0;
     float margin = 0;
   };
-  [[nodiscard]] static Reading sample(const GreyFrame& frame, const Homography& place, const LightModel& light,
-                                      const Layout& layout);
+  [[nodiscard]] static Reading sample(const GreyFrame& frame, const Homography& place,
+                                      const LightModel& light, const Layout& layout);
 
   std::vector<Layout> layouts_;
   ReaderLimits limits_;

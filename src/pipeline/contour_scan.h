@@ -54,7 +54,8 @@ class ContourScan {
       follow(clean_[0].data(), clean_[1].data(), y_ - 1, sink);
       std::swap(clean_[0], clean_[1]);
       if (y_ + 1 == height_) {
-        follow(clean_[0].data(), raw_[2].data(), y_, sink);  // the last row is border: white, nothing to filter
+        follow(clean_[0].data(), raw_[2].data(), y_,
+               sink);  // the last row is border: white, nothing to filter
       }
     }
     std::rotate(raw_.begin(), raw_.begin() + 1, raw_.end());
@@ -63,8 +64,9 @@ class ContourScan {
 
   [[nodiscard]] const ContourLinker& linker() const { return linker_; }
   [[nodiscard]] std::size_t memory() const {
-    return records_.size() * sizeof(Record) + ends_.size() * sizeof(ChainEnd) + end_at_.size() * sizeof(EndIndex) +
-           runs_.size() * sizeof(CrackRun) + 5 * raw_[0].size() * sizeof(BitWord);
+    return records_.size() * sizeof(Record) + ends_.size() * sizeof(ChainEnd) +
+           end_at_.size() * sizeof(EndIndex) + runs_.size() * sizeof(CrackRun) +
+           5 * raw_[0].size() * sizeof(BitWord);
   }
 
  private:

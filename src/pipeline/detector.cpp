@@ -48,7 +48,8 @@ std::string complaint(const Options& o) {
   if (!(o.min_marker_size >= 4) || !(o.max_marker_size >= o.min_marker_size)) {
     return "marker size: the least must be at least 4 pixels and the greatest no less than it";
   }
-  if (o.corrected_bits < -1 || o.corrected_bits > 16) return outside("corrected_bits", o.corrected_bits, -1, 16);
+  if (o.corrected_bits < -1 || o.corrected_bits > 16)
+    return outside("corrected_bits", o.corrected_bits, -1, 16);
   if (!(o.min_margin >= 0 && o.min_margin <= 0.5F)) return outside("min_margin", o.min_margin, 0.0, 0.5);
   if (o.min_contrast < 1 || o.min_contrast > 255) return outside("min_contrast", o.min_contrast, 1, 255);
   if (o.fixed_threshold < 0 || o.fixed_threshold > 256) {
@@ -72,7 +73,8 @@ class Detector::Impl {
     pipeline_ = std::move(*pipeline);
     rows_.resize(static_cast<std::size_t>(options_.max_height));
     if (options_.copy_rows) {
-      store_.resize(static_cast<std::size_t>(options_.max_width) * static_cast<std::size_t>(options_.max_height));
+      store_.resize(static_cast<std::size_t>(options_.max_width) *
+                    static_cast<std::size_t>(options_.max_height));
     }
     return {};
   }
@@ -121,7 +123,8 @@ class Detector::Impl {
   [[nodiscard]] const FrameStats& stats() const { return stats_; }
   [[nodiscard]] const Options& options() const { return options_; }
   [[nodiscard]] std::size_t memory() const {
-    return sizeof(*this) + pipeline_->memory() + found_.memory() + rows_.size() * sizeof(rows_[0]) + store_.size();
+    return sizeof(*this) + pipeline_->memory() + found_.memory() + rows_.size() * sizeof(rows_[0]) +
+           store_.size();
   }
 
  private:
@@ -131,7 +134,8 @@ class Detector::Impl {
     row += static_cast<std::ptrdiff_t>(region_.x) * step_;
     GreyFrame frame{rows_.data(), region_.width, y + 1, step_, format_};
     if (copy) {
-      std::uint8_t* kept = store_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(region_.width);
+      std::uint8_t* kept =
+          store_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(region_.width);
       grey_row(row, region_.width, step_, format_, kept);
       row = kept;
       frame.step = 1;
@@ -180,7 +184,9 @@ Detection Detector::detect(const ImageView& frame) {
 }
 
 Status Detector::begin(int width, int height) { return impl_->begin(width, height); }
-Status Detector::push_rows(const ImageView& rows) { return impl_->push_rows(rows, impl_->options().copy_rows); }
+Status Detector::push_rows(const ImageView& rows) {
+  return impl_->push_rows(rows, impl_->options().copy_rows);
+}
 Status Detector::end() { return impl_->end(); }
 std::span<const Marker> Detector::markers() const { return impl_->markers(); }
 const FrameStats& Detector::stats() const { return impl_->stats(); }

@@ -25,7 +25,8 @@ Dictionary whole_grid(const Dictionary& dictionary) {
   grid.border = Border::included;
   grid.cells.clear();
   for (int y = 0; y < grid_side; ++y) {
-    for (int x = 0; x < grid_side; ++x) grid.cells.push_back({static_cast<std::int8_t>(x), static_cast<std::int8_t>(y)});
+    for (int x = 0; x < grid_side; ++x)
+      grid.cells.push_back({static_cast<std::int8_t>(x), static_cast<std::int8_t>(y)});
   }
   if (dictionary.border == Border::included) return grid;
   for (std::uint64_t& code : grid.codes) {
@@ -53,8 +54,10 @@ PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionar
 }
 
 bool PaperPipeline::can_read(const Dictionary& dictionary) {
-  const bool in_border = dictionary.border == Border::black && dictionary.cells.size() == data_side * data_side;
-  const bool whole = dictionary.border == Border::included && dictionary.cells.size() == grid_side * grid_side;
+  const bool in_border =
+      dictionary.border == Border::black && dictionary.cells.size() == data_side * data_side;
+  const bool whole =
+      dictionary.border == Border::included && dictionary.cells.size() == grid_side * grid_side;
   return dictionary.width == grid_side && (in_border || whole);
 }
 

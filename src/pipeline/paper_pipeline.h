@@ -29,7 +29,8 @@ class PaperPipeline final : public FramePipeline {
     const Dictionary* dictionary;
     CodeLookup lookup;
   };
-  void consider(const ClosedChain& chain, const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) const;
+  void consider(const ClosedChain& chain, const GreyFrame& frame, FoundMarkers& found,
+                FrameStats& stats) const;
 
   Options options_;
   FixedThreshold threshold_;

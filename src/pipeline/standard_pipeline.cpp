@@ -10,13 +10,12 @@
 namespace runmark {
 namespace {
 
-constexpr int least_side = 16;        // pixels of a scale worth looking at
-constexpr int rows_kept = 9;          // two bands of tiles and the row being made
-constexpr double coarse_size = 14;    // least marker size at a half scale: smaller ones show at full size
+constexpr int least_side = 16;             // pixels of a scale worth looking at
+constexpr int rows_kept = 9;               // two bands of tiles and the row being made
+constexpr std::size_t most_waiting = 256;  // quadrilaterals; further ones are read at once
+constexpr double coarse_size = 14;  // least marker size at a half scale: smaller ones show at full size
 
-std::size_t records_for(int width) {
-  return static_cast<std::size_t>(std::clamp(8 * width, 4096, 65535));
-}
+std::size_t records_for(int width) { return static_cast<std::size_t>(std::clamp(8 * width, 4096, 65535)); }
 
 }  // namespace
 
@@ -38,9 +37,12 @@ StandardPipeline::StandardPipeline(const Options& options, const std::vector<Dic
                        RowStore(width, rows_kept), limits});
   }
   vertices_.resize(max_vertices(chain_limits));
+  waiting_.reserve(most_waiting);
 }
 
 void StandardPipeline::begin_frame(int width, int height) {
+  height_ = height;
+  waiting_.clear();
   scales_used_ = 0;
   for (Scale& scale : scales_) {
     if (scales_used_ > 0 && std::min(width, height) < least_side) break;
@@ -60,6 +62,12 @@ void StandardPipeline::push_row(const GreyFrame& frame, FoundMarkers& found, Fra
     grey = converted;
   }
   push_scaled(0, grey, y, frame, found, stats);
+  if (waiting_.empty()) return;
+  const auto ready = [&](const Waiting& w) { return w.row <= y || y + 1 == height_; };
+  for (const Waiting& w : waiting_) {
+    if (ready(w)) read(w.quad, w.reach, frame, found, stats);
+  }
+  std::erase_if(waiting_, ready);
 }
 
 void StandardPipeline::push_scaled(std::size_t level, const std::uint8_t* grey, int y, const GreyFrame& frame,
@@ -89,9 +97,19 @@ void StandardPipeline::consider(std::size_t level, const ClosedChain& chain, con
   for (Point& corner : quad->corners) {
     corner = {corner.x * scale + (scale - 1) / 2, corner.y * scale + (scale - 1) / 2};
   }
-  if (found.has(quad->corners)) return;
-  const Quad refined = refine_edges(frame, *quad, reader_.most_cells(), 2.5 * scale);
-  std::optional<Marker> marker = reader_.read(frame, refined);
+  const double reach = 2.5 * scale;
+  const int lowest = reader_.lowest_row(*quad);
+  if (lowest >= frame.height && frame.height < height_ && waiting_.size() < most_waiting) {
+    waiting_.push_back({*quad, reach, lowest});
+  } else {
+    read(*quad, reach, frame, found, stats);
+  }
+}
+
+void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& frame, FoundMarkers& found,
+                            FrameStats& stats) const {
+  if (found.has(quad.corners)) return;
+  std::optional<Marker> marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
   if (!marker) return;
   marker->row = frame.height - 1;
   if (!found.add(*marker)) ++stats.dropped_markers;
@@ -110,7 +128,8 @@ void StandardPipeline::end_frame(FrameStats& stats) {
 }
 
 std::size_t StandardPipeline::memory() const {
-  std::size_t bytes = sizeof(*this) + reader_.memory() + vertices_.size() * sizeof(Vertex);
+  std::size_t bytes =
+      sizeof(*this) + reader_.memory() + vertices_.size() * sizeof(Vertex) + most_waiting * sizeof(Waiting);
   for (const Scale& scale : scales_) bytes += scale.octave.memory() + scale.rows.memory();
   return bytes;
 }

@@ -24,7 +24,7 @@ class StandardPipeline final : public FramePipeline {
  private:
   struct Scale {
     Octave octave;
-    RowStore rows;       // grey rows of this scale; of the frame itself only where it must be converted
+    RowStore rows;  // grey rows of this scale; of the frame itself only where it must be converted
     QuadLimits limits;
   };
   void push_scaled(std::size_t level, const std::uint8_t* grey, int y, const GreyFrame& frame,
@@ -32,11 +32,23 @@ class StandardPipeline final : public FramePipeline {
   void consider(std::size_t level, const ClosedChain& chain, const GreyFrame& frame, FoundMarkers& found,
                 FrameStats& stats);
 
+  void read(const Quad& quad, double reach, const GreyFrame& frame, FoundMarkers& found,
+            FrameStats& stats) const;
+
+  /// A quadrilateral with data cells in rows that have not come in.
+  struct Waiting {
+    Quad quad;
+    double reach;
+    int row;
+  };
+
   Options options_;
+  int height_ = 0;
   MarkerReader reader_;
   std::vector<Scale> scales_;
   std::size_t scales_used_ = 0;  // of this frame
   std::vector<Vertex> vertices_;
+  std::vector<Waiting> waiting_;
 };
 
 }  // namespace runmark

@@ -58,9 +58,8 @@ TEST(QuadFromChain, PerspectiveAndHole) {
   const auto dark = quads_of(120, 120, [&](int x, int y) { return inside(truth, x, y); });
   ASSERT_EQ(dark.size(), 1U);
   EXPECT_LT(worst_corner(truth, dark[0].corners), 0.8);
-  const auto hole = quads_of(120, 120, [&](int x, int y) {
-    return x > 3 && y > 3 && x < 116 && y < 116 && !inside(truth, x, y);
-  });
+  const auto hole = quads_of(
+      120, 120, [&](int x, int y) { return x > 3 && y > 3 && x < 116 && y < 116 && !inside(truth, x, y); });
   ASSERT_EQ(hole.size(), 2U) << "the dark square round it closes last";
   EXPECT_TRUE(hole[0].light_inside);
   EXPECT_TRUE(is_convex_clockwise(hole[0].corners)) << "a hole's corners go clockwise too";
@@ -70,9 +69,13 @@ TEST(QuadFromChain, PerspectiveAndHole) {
 TEST(QuadFromChain, OtherShapesAreRefused) {
   const auto disc = [](int x, int y) { return (x - 60) * (x - 60) + (y - 60) * (y - 60) < 1600; };
   EXPECT_TRUE(quads_of(120, 120, disc).empty());
-  const auto triangle = [](int x, int y) { return y > 20 && y < 100 && x > 60 - (y - 20) / 2 && x < 60 + (y - 20) / 2; };
+  const auto triangle = [](int x, int y) {
+    return y > 20 && y < 100 && x > 60 - (y - 20) / 2 && x < 60 + (y - 20) / 2;
+  };
   EXPECT_TRUE(quads_of(120, 120, triangle).empty());
-  const auto letter = [](int x, int y) { return x > 20 && y > 20 && x < 100 && y < 100 && (x < 50 || y > 70); };
+  const auto letter = [](int x, int y) {
+    return x > 20 && y > 20 && x < 100 && y < 100 && (x < 50 || y > 70);
+  };
   EXPECT_TRUE(quads_of(120, 120, letter).empty());
   const auto speck = [](int x, int y) { return x >= 60 && x < 63 && y >= 60 && y < 63; };
   EXPECT_TRUE(quads_of(120, 120, speck).empty()) << "smaller than min_area";

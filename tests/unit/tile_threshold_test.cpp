@@ -81,7 +81,8 @@ TEST(TileThreshold, FlatIsWhiteAndEdgesFollowTheLight) {
     for (int x = 0; x < width; ++x) {
       // Light falls from 40 to 230; a dark bar of 60 % reflectance stands at x 30 to 33.
       const int light = 40 + 3 * x;
-      grey[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(x >= 30 && x < 34 ? light * 6 / 10 : light);
+      grey[static_cast<std::size_t>(y * width + x)] =
+          static_cast<std::uint8_t>(x >= 30 && x < 34 ? light * 6 / 10 : light);
     }
   }
   const std::vector<bool> dark = threshold_by_bands(grey, width, height, 36);

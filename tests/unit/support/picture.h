@@ -18,14 +18,17 @@ namespace runmark::test {
 class Picture {
  public:
   Picture(int width, int height, std::uint8_t grey)
-      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), grey) {
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), grey) {
     for (int y = 0; y < height; ++y) rows_.push_back(&at(0, y));
   }
   Picture(const Picture&) = delete;
   Picture& operator=(const Picture&) = delete;
 
   [[nodiscard]] std::uint8_t& at(int x, int y) {
-    return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                   static_cast<std::size_t>(x)];
   }
   [[nodiscard]] ImageView view() const { return ImageView::grey(pixels_.data(), width_, height_, width_); }
   [[nodiscard]] GreyFrame frame() const { return {rows_.data(), width_, height_, 1, PixelFormat::grey}; }
@@ -104,8 +107,9 @@ class PlaneMap {
 };
 
 /// Draws a marker with one white cell of margin so that its square has these corners.
-inline void draw_at(Picture& picture, const Dictionary& dictionary, std::size_t id, const std::array<Point, 4>& corners,
-                    bool inverted = false, double black = 30, double white = 220) {
+inline void draw_at(Picture& picture, const Dictionary& dictionary, std::size_t id,
+                    const std::array<Point, 4>& corners, bool inverted = false, double black = 30,
+                    double white = 220) {
   const MarkerDrawing drawing = draw_marker(dictionary, id, 1, 1);
   const PlaneMap map(corners);
   double left = corners[0].x;
@@ -125,7 +129,8 @@ inline void draw_at(Picture& picture, const Dictionary& dictionary, std::size_t 
     const double cu = uv.x * drawing.square + drawing.origin;
     const double cv = uv.y * drawing.square + drawing.origin;
     if (!(cu >= 0 && cv >= 0 && cu < drawing.side && cv < drawing.side)) return -1.0;
-    const auto index = static_cast<std::size_t>(cv) * static_cast<std::size_t>(drawing.side) + static_cast<std::size_t>(cu);
+    const auto index =
+        static_cast<std::size_t>(cv) * static_cast<std::size_t>(drawing.side) + static_cast<std::size_t>(cu);
     return (drawing.grey[index] > 127) != inverted ? white : black;
   });
 }
