@@ -52,17 +52,20 @@ std::optional<std::pair<std::size_t, std::size_t>> equal_codes(const Dictionary&
   return std::pair{twice->second, std::next(twice)->second};
 }
 
-int safe_corrected_bits(std::size_t bits, std::size_t codes, int distance) {
-  const double limit = std::ldexp(1.0, static_cast<int>(bits) - 12);
+double accepted_share(std::size_t bits, std::size_t codes, int corrected) {
   double choose = 1;  // C(bits, k)
   double sum = 1;
-  int k = 0;
-  while (2 * (k + 1) < distance) {
-    choose = choose * static_cast<double>(bits - static_cast<std::size_t>(k)) / (k + 1);
+  for (int k = 1; k <= corrected; ++k) {
+    choose = choose * (static_cast<double>(bits) - k + 1) / k;
     sum += choose;
-    if (4 * static_cast<double>(codes) * sum > limit) break;
-    ++k;
   }
+  return std::ldexp(4 * static_cast<double>(codes) * sum, -static_cast<int>(bits));
+}
+
+int safe_corrected_bits(std::size_t bits, std::size_t codes, int distance) {
+  const double most = std::ldexp(1.0, -12);
+  int k = 0;
+  while (2 * (k + 1) < distance && accepted_share(bits, codes, k + 1) <= most) ++k;
   return k;
 }
 

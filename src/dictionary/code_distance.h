@@ -16,10 +16,13 @@ namespace runmark {
 /// Two ids whose codes are equal in some rotation, the lower first: the same marker twice.
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> equal_codes(const Dictionary& dictionary);
 
-/// How many wrong bits may safely be corrected: the most, k, that keeps codes apart (2k < distance) and
-/// keeps the share of all possible readings that are accepted at one in 4,096 at most:
-///     4 codes * (C(bits, 0) + ... + C(bits, k)) / 2^bits <= 2^-12
-/// 0 when even exact readings are more than that.
+/// The share of all possible readings of `bits` cells that are taken for one of the codes, in any rotation,
+/// with up to `corrected` wrong bits: 4 codes (C(bits, 0) + ... + C(bits, corrected)) / 2^bits. It is the
+/// chance that a random square is taken for a marker once its border has been found right.
+[[nodiscard]] double accepted_share(std::size_t bits, std::size_t codes, int corrected);
+
+/// How many wrong bits may safely be corrected: as many as keep codes apart (2k < distance) and
+/// accepted_share at 2^-12 (1 in 4,096) or less. 0 when even exact readings are more than that.
 [[nodiscard]] int safe_corrected_bits(std::size_t bits, std::size_t codes, int distance);
 
 }  // namespace runmark

@@ -128,7 +128,8 @@ TEST_P(EveryDictionary, FindsEveryCodeInEveryRotationWithEveryNumberOfErrors) {
   for (int corrected = 0; corrected <= (dictionary->distance - 1) / 2; ++corrected) {
     const CodeLookup lookup(*dictionary, corrected);
     EXPECT_LT(lookup.memory(), 4U << 20U);
-    for (std::size_t id = 0; id < codes.size(); ++id) {
+    const bool some = codes.size() > 10000 && corrected != dictionary->corrected_bits;  // all would take long
+    for (std::size_t id = 0; id < codes.size(); id += some ? 16 : 1) {
       const bool symmetric = codes[id][2] == codes[id][0];
       for (std::size_t rotation = 0; rotation < (symmetric ? 1 : 4); ++rotation) {
         const int errors = static_cast<int>(random() % static_cast<std::uint64_t>(corrected + 1));

@@ -220,6 +220,11 @@ TEST(BuiltinDictionary, UnknownNamesGetHints) {
             "unknown dictionary 'DICT_6x6_205'; did you mean DICT_6X6_100, DICT_6X6_250 or DICT_6X6_50?");
 }
 
+TEST(AcceptedShare, CountsTheReadings) {
+  EXPECT_DOUBLE_EQ(accepted_share(4, 1, 0), 4.0 / 16);
+  EXPECT_DOUBLE_EQ(accepted_share(4, 1, 2), 4.0 * (1 + 4 + 6) / 16);
+}
+
 TEST(SafeCorrectedBits, FollowsItsFormula) {
   EXPECT_EQ(safe_corrected_bits(36, 587, 11), 2);  // 3 bits: 1.13 in 4,096
   EXPECT_EQ(safe_corrected_bits(36, 250, 12), 3);
