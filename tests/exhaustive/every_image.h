@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "contour_checker.h"
+
+namespace runmark {
+
+/// What to run every image of a size through.
+struct ProofScope {
+  bool four = true;
+  bool eight = true;
+  bool unfiltered = true;
+  bool filtered = true;  ///< with every case on
+  bool limits = true;    ///< with limits that drop contours, early and not, and with too few records
+};
+
+/// What is wrong with one image, or nullptr: all runs of the scope.
+[[nodiscard]] const char* check_image(ContourChecker& checker, const PixelImage& image,
+                                      const ProofScope& scope);
+
+struct ProofResult {
+  std::uint64_t images = 0;
+  std::uint64_t wrong = 0;
+  std::uint64_t first_wrong = 0;  ///< number of that image (PixelImage::set_all)
+  const char* first_fault = nullptr;
+};
+
+/// Checks every image of width * height pixels, at most 32.
+[[nodiscard]] ProofResult check_every_image(int width, int height, int threads, const ProofScope& scope);
+
+}  // namespace runmark
