@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "dictionary/check_dictionary.h"
 #include "pipeline/found_markers.h"
 #include "pipeline/paper_pipeline.h"
 #include "pipeline/standard_pipeline.h"
@@ -164,6 +165,11 @@ class Detector::Impl {
 Result<Detector> Detector::create(const Options& options, std::vector<Dictionary> dictionaries) {
   if (dictionaries.empty()) return Error{"no dictionary given"};
   if (std::string what = complaint(options); !what.empty()) return Error{std::move(what)};
+  for (const Dictionary& dictionary : dictionaries) {
+    if (const auto what = check_dictionary(dictionary)) {
+      return Error{"dictionary " + dictionary.name + ": " + *what};
+    }
+  }
   auto impl = std::make_unique<Impl>(options, std::move(dictionaries));
   if (std::string what = impl->prepare(); !what.empty()) return Error{std::move(what)};
   return Detector(std::move(impl));
