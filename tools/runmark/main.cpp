@@ -3,12 +3,13 @@
 #include <new>
 
 #include "errors.h"
+#include "render_command.h"
 #include "runmark/version.h"
 
 namespace runmark::cli {
 namespace {
 
-void add_commands([[maybe_unused]] CLI::App& app) {}
+void add_commands(CLI::App& app) { add_render_command(app); }
 
 int run(int argc, char** argv) {
   CLI::App app("Finds square fiducial markers in images, videos and camera streams", "runmark");

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+
+#include "dictionary/marker_grid.h"
+#include "render/background.h"
+#include "render/maths.h"
+#include "render/placement.h"
+#include "render/recipe.h"
+
+namespace runmark::render {
+
+double Range::draw(Rng& rng) const {
+  const double t = rng.uniform();
+  return low + (high - low) * (skew == 1 ? t : power(t, skew));
+}
+
+namespace {
+
+// A whole number with that mean.
+int count_of(double mean, Rng& rng) {
+  const double whole = std::floor(mean);
+  return static_cast<int>(whole) + (rng.chance(mean - whole) ? 1 : 0);
+}
+
+enum class Place : std::uint8_t { inside, cut };
+
+class MarkerPlacer {
+ public:
+  MarkerPlacer(Scene& scene, const Recipe& recipe, const Dictionary& dictionary, Rng& rng)
+      : scene_(scene), recipe_(recipe), dictionary_(dictionary), rng_(rng) {}
+
+  // False when no free place was found for it.
+  bool add(double size, Place where) {
+    const int tries = 300;
+    const int id = next_id();
+    Surface surface;
+    surface.texture = print(id);
+    const auto& grid = std::get<MarkerPrint>(surface.texture).grid;
+    const double margin = recipe_.margin.draw(rng_);
+    const double low = grid.first - margin;
+    const double high = grid.first + grid.side + margin;
+    surface.extent = {low, low, high, high};
+    surface.shade = static_cast<float>(rng_.uniform(0.75, 1));
+    const double width = dictionary_.width;
+    for (int i = 0; i < tries; ++i) {
+      Stance stance;
+      stance.place = somewhere(size, where);
+      stance.distance = rng_.uniform(6, 25);
+      stance.tilt = radians(recipe_.tilt.draw(rng_));
+      stance.azimuth = rng_.uniform(0, 2 * pi);
+      stance.spin = rng_.chance(0.5) ? rng_.uniform(-0.35, 0.35) : rng_.uniform(0, 2 * pi);
+      surface.pose = stand_to_size(scene_.camera, stance, size, {0, 0, width, width});
+      const Quad square = scene_.camera.picture(surface.pose, {0, 0, width, width});
+      const Quad paper = scene_.camera.picture(surface.pose, surface.extent);
+      if (std::abs(area(square) - size * size) > 0.02 * size * size || !taken_.is_free(paper)) continue;
+      const bool inside = within(square, recipe_.width, recipe_.height, 2);
+      if (inside != (where == Place::inside)) continue;
+      taken_.take(paper);
+      scene_.surfaces.push_back(surface);
+      scene_.markers.push_back({scene_.surfaces.size() - 1, id, dictionary_.width, false});
+      return true;
+    }
+    return false;
+  }
+
+  // Lays something over the border of the marker added last: a tape, a cable or a finger's width.
+  void cover() {
+    PlacedMarker& marker = scene_.markers.back();
+    marker.occluded = true;
+    const Surface& below = scene_.surfaces[marker.surface];
+    const double width = marker.width;
+    const double thick = width * rng_.uniform(0.06, 0.25);
+    const double place = rng_.uniform(0.1, 0.9) * width;
+    Surface over;
+    over.pose = below.pose;
+    over.extent = {place - thick, -width * 0.6, place + thick, width * rng_.uniform(0.12, 0.5)};
+    // Turned by a quarter as often as the cover may come from each of the four sides.
+    for (int turns = rng_.below(4); turns > 0; --turns) {
+      const PlanePose pose = over.pose;
+      over.pose.origin = pose.at(width, 0);
+      over.pose.along_u = pose.along_v;
+      over.pose.along_v = -1 * pose.along_u;
+    }
+    const auto shade = static_cast<float>(rng_.uniform(0.1, 0.95));
+    over.texture = Noise{shade * 0.9F, shade, thick, 2, static_cast<std::uint32_t>(rng_.next())};
+    scene_.surfaces.push_back(std::move(over));
+  }
+
+ private:
+  int next_id() {
+    if (scene_.markers.empty() || !rng_.chance(recipe_.repeated)) {
+      last_id_ = rng_.below(static_cast<int>(dictionary_.codes.size()));
+    }
+    return last_id_;
+  }
+
+  MarkerPrint print(int id) {
+    MarkerPrint p;
+    p.grid = marker_grid(dictionary_, static_cast<std::size_t>(id));
+    p.black = static_cast<float>(rng_.uniform(0.05, 0.22));
+    p.white = static_cast<float>(rng_.uniform(0.75, 0.95));
+    p.inverted = recipe_.inverted;
+    return p;
+  }
+
+  // Large markers are not tried where they cannot fit.
+  Point somewhere(double size, Place where) {
+    const double w = recipe_.width;
+    const double h = recipe_.height;
+    if (where == Place::inside) {
+      const double inset_x = std::min(0.5 * size, 0.45 * w);
+      const double inset_y = std::min(0.5 * size, 0.45 * h);
+      return {rng_.uniform(inset_x, w - inset_x), rng_.uniform(inset_y, h - inset_y)};
+    }
+    const double offset = rng_.uniform(-0.35, 0.35) * size;
+    switch (rng_.below(4)) {
+      case 0:
+        return {offset, rng_.uniform(0, h)};
+      case 1:
+        return {w + offset, rng_.uniform(0, h)};
+      case 2:
+        return {rng_.uniform(0, w), offset};
+      default:
+        return {rng_.uniform(0, w), h + offset};
+    }
+  }
+
+  Scene& scene_;
+  const Recipe& recipe_;
+  const Dictionary& dictionary_;
+  Rng& rng_;
+  Taken taken_;
+  int last_id_ = 0;
+};
+
+Light draw_light(const Recipe& recipe, Rng& rng) {
+  Light light;
+  light.level = recipe.level.draw(rng);
+  const double gradient = recipe.gradient.draw(rng);
+  const double direction = rng.uniform(0, 2 * pi);
+  light.slope_x = gradient * cosine(direction);
+  light.slope_y = gradient * sine(direction);
+  light.vignette = recipe.vignette.draw(rng);
+  const auto anywhere = [&] { return Point{rng.uniform(0, recipe.width), rng.uniform(0, recipe.height)}; };
+  for (int n = static_cast<int>(recipe.lamps.draw(rng)); n > 0; --n) {
+    light.lamps.push_back(
+        {anywhere(), light.level * rng.uniform(0.1, 0.6), recipe.width * rng.uniform(0.1, 0.5)});
+  }
+  for (int n = static_cast<int>(recipe.shadows.draw(rng)); n > 0; --n) {
+    Shadow s;
+    s.shape = static_cast<Shadow::Shape>(rng.below(4));
+    s.place = anywhere();
+    s.direction = rng.uniform(0, 2 * pi);
+    s.size = recipe.width * rng.uniform(0.02, 0.3);
+    // Hard ones from the sun, soft ones from lamps and windows.
+    s.softness = rng.chance(0.5) ? rng.uniform(0.7, 3) : recipe.width * rng.uniform(0.01, 0.1);
+    s.depth = rng.uniform(0.15, 0.6);
+    light.shadows.push_back(s);
+  }
+  return light;
+}
+
+}  // namespace
+
+Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64_t seed, int index,
+                 const std::vector<std::shared_ptr<const Plane>>& photos) {
+  Rng rng(mix(seed ^ mix(static_cast<std::uint64_t>(index) + 1)));
+  Scene scene;
+  scene.dictionary = dictionary.name;
+  scene.inverted = recipe.inverted;
+  scene.camera = {recipe.width, recipe.height, recipe.width * recipe.focal.draw(rng),
+                  recipe.distortion.draw(rng)};
+  scene.light = draw_light(recipe, rng);
+  scene.optics.defocus = rng.chance(0.4) ? Optics::Defocus::disc : Optics::Defocus::gaussian;
+  scene.optics.blur = recipe.blur.draw(rng);
+  scene.optics.motion = recipe.motion.draw(rng);
+  scene.optics.motion_direction = rng.uniform(0, pi);
+  scene.sensor = {recipe.noise.draw(rng), recipe.gamma, static_cast<int>(recipe.jpeg.draw(rng)), rng.next()};
+  scene.background = add_wall(scene, recipe.wall, rng, photos);
+  add_clutter(scene, static_cast<int>(recipe.clutter.draw(rng)), rng);
+  if (rng.chance(recipe.marker_free)) return scene;
+
+  MarkerPlacer placer(scene, recipe, dictionary, rng);
+  // The large ones first, while there is room.
+  std::vector<SizeQuota> quotas = recipe.sizes;
+  std::stable_sort(quotas.begin(), quotas.end(), [](const auto& a, const auto& b) { return a.low > b.low; });
+  const auto size_in = [&](const SizeQuota& q) {
+    return exponential(rng.uniform(logarithm(q.low), logarithm(q.high)));
+  };
+  for (const SizeQuota& quota : quotas) {
+    for (int n = count_of(quota.count, rng); n > 0; --n) placer.add(size_in(quota), Place::inside);
+  }
+  // The ones nobody has to find, of any size.
+  if (quotas.empty()) return scene;
+  const SizeQuota any{std::min(quotas.back().low * 2, quotas.front().high), quotas.front().low + 1, 1};
+  for (int n = count_of(recipe.occluded, rng); n > 0; --n) {
+    if (placer.add(size_in(any), Place::inside)) placer.cover();
+  }
+  for (int n = count_of(recipe.cut, rng); n > 0; --n) placer.add(size_in(any), Place::cut);
+  return scene;
+}
+
+}  // namespace runmark::render
