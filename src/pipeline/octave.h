@@ -17,11 +17,11 @@ class Octave {
          std::uint8_t filter_cases)
       : threshold_(max_width), scan_(max_width, records, limits, connectivity, filter_cases) {}
 
-  void begin_frame(int width, int height, int min_contrast) {
+  void begin_frame(int width, int height, const TileRule& rule) {
     width_ = width;
     height_ = height;
     rows_ = 0;
-    threshold_.begin_frame(width, min_contrast);
+    threshold_.begin_frame(width, rule);
     scan_.begin_frame(width, height);
   }
 

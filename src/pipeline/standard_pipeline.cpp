@@ -15,6 +15,11 @@ constexpr int rows_kept = 9;               // two bands of tiles and the row bei
 constexpr std::size_t most_waiting = 256;  // quadrilaterals; further ones are read at once
 constexpr double coarse_size = 14;  // least marker size at a half scale: smaller ones show at full size
 
+// At full size the level lies a little towards white, so that thin dark borders hold together; at the half
+// sizes towards black, so that markers that touch at a corner, where blur makes a mid-grey saddle, part.
+constexpr int full_size_share = 9;
+constexpr int half_size_share = 6;
+
 std::size_t records_for(int width) { return static_cast<std::size_t>(std::clamp(8 * width, 4096, 65535)); }
 
 }  // namespace
@@ -46,7 +51,8 @@ void StandardPipeline::begin_frame(int width, int height) {
   scales_used_ = 0;
   for (Scale& scale : scales_) {
     if (scales_used_ > 0 && std::min(width, height) < least_side) break;
-    scale.octave.begin_frame(width, height, options_.min_contrast);
+    const int share = scales_used_ == 0 ? full_size_share : half_size_share;
+    scale.octave.begin_frame(width, height, {options_.min_contrast, share});
     ++scales_used_;
     width /= 2;
     height /= 2;

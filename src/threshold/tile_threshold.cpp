@@ -13,10 +13,10 @@ TileThreshold::TileThreshold(int max_width) {
   levels_.resize(tiles);
 }
 
-void TileThreshold::begin_frame(int width, int min_contrast) {
+void TileThreshold::begin_frame(int width, const TileRule& rule) {
   width_ = width;
   tiles_ = tiles_across(width);
-  min_contrast_ = min_contrast;
+  rule_ = rule;
   bands_ = 0;
   noise_.begin_frame();
 }
@@ -45,8 +45,8 @@ void TileThreshold::find_levels() {
   const auto view = [](const Extremes& e) { return TileExtremes{e.lowest.data(), e.highest.data()}; };
   const Extremes& above = bands_ > 2 ? spread_[0] : spread_[1];
   if (bands_ < 2) return;
-  tile_levels({view(above), view(spread_[1]), view(spread_[2])}, tiles_, noise_.contrast_limit(min_contrast_),
-              levels_.data());
+  const TileRule rule{noise_.contrast_limit(rule_.contrast), rule_.share};
+  tile_levels({view(above), view(spread_[1]), view(spread_[2])}, tiles_, rule, levels_.data());
 }
 
 std::size_t TileThreshold::memory() const { return sizeof(*this) + levels_.size() * 9; }

@@ -16,7 +16,8 @@ class TileThreshold {
   /// Sets memory aside for rows of up to `max_width` pixels.
   explicit TileThreshold(int max_width);
 
-  void begin_frame(int width, int min_contrast);
+  /// The rule's contrast is the least; it rises with the noise of the rows already seen.
+  void begin_frame(int width, const TileRule& rule);
 
   /// Takes the next band. Afterwards `levels` are those of the band before it.
   void add_band(const TileBand& band);
@@ -35,7 +36,7 @@ class TileThreshold {
 
   int tiles_ = 0;
   int width_ = 0;
-  int min_contrast_ = 0;
+  TileRule rule_;
   int bands_ = 0;
   NoiseFloor noise_;
   Extremes fresh_;                  // of the band just taken, not spread

@@ -31,11 +31,13 @@ void spread_extremes(const std::uint8_t* lowest, const std::uint8_t* highest, in
   }
 }
 
-void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, int contrast, std::uint8_t* levels) {
+void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
+                 std::uint8_t* levels) {
   for (int tile = 0; tile < tiles; ++tile) {
     const int low = std::min({bands[0].lowest[tile], bands[1].lowest[tile], bands[2].lowest[tile]});
     const int high = std::max({bands[0].highest[tile], bands[1].highest[tile], bands[2].highest[tile]});
-    levels[tile] = static_cast<std::uint8_t>(high - low < contrast ? 0 : (low + high + 1) / 2);
+    const int level = low + (high - low) * rule.share / 16;
+    levels[tile] = static_cast<std::uint8_t>(high - low < rule.contrast ? 0 : level);
   }
 }
 

@@ -30,9 +30,16 @@ struct TileExtremes {
   const std::uint8_t* highest = nullptr;
 };
 
-/// The grey level below which a pixel of each tile is dark: half-way between the extremes of the three
-/// bands, or 0 (all white) where they differ by less than `contrast`.
-void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, int contrast, std::uint8_t* levels);
+/// How the levels of tiles are chosen.
+struct TileRule {
+  int contrast = 20;  ///< extremes that differ by less are all white
+  int share = 8;      ///< sixteenths of the way from the least to the greatest level
+};
+
+/// The grey level below which a pixel of each tile is dark: between the extremes of the three bands, or 0
+/// (all white) where they differ too little.
+void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
+                 std::uint8_t* levels);
 
 /// Turns a grey row into bits by its band's levels.
 void threshold_row(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits);

@@ -12,7 +12,7 @@ namespace {
 using Grey = std::vector<std::uint8_t>;
 
 /// The definition, pixel by pixel over the whole frame: extremes of the 3x3 tiles round the pixel's own.
-bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, int contrast) {
+bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, const TileRule& rule) {
   const int tile_x = x / tile_side;
   const int tile_y = y / tile_side;
   int low = 255;
@@ -24,12 +24,13 @@ bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, i
       high = std::max(high, value);
     }
   }
-  return high - low >= contrast && grey[static_cast<std::size_t>(y * width + x)] < (low + high + 1) / 2;
+  return high - low >= rule.contrast &&
+         grey[static_cast<std::size_t>(y * width + x)] < low + (high - low) * rule.share / 16;
 }
 
-std::vector<bool> threshold_by_bands(const Grey& grey, int width, int height, int contrast) {
+std::vector<bool> threshold_by_bands(const Grey& grey, int width, int height, const TileRule& rule) {
   TileThreshold threshold(width);
-  threshold.begin_frame(width, contrast);
+  threshold.begin_frame(width, rule);
   std::vector<bool> dark;
   TileBand waiting{};
   const auto emit = [&](int first) {
@@ -60,12 +61,13 @@ TEST(TileThreshold, FollowsItsDefinitionAtEverySize) {
       // Too few tiles for a noise estimate: the contrast limit is the given one.
       Grey grey(static_cast<std::size_t>(width * height));
       for (auto& g : grey) g = static_cast<std::uint8_t>(random() % 64);
-      const std::vector<bool> dark = threshold_by_bands(grey, width, height, 40);
+      const TileRule rule{40, 3 + (width + height) % 11};
+      const std::vector<bool> dark = threshold_by_bands(grey, width, height, rule);
       ASSERT_EQ(dark.size(), grey.size());
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
           ASSERT_EQ(dark[static_cast<std::size_t>(y * width + x)],
-                    dark_by_definition(grey, width, height, x, y, 40))
+                    dark_by_definition(grey, width, height, x, y, rule))
               << width << "x" << height << " at " << x << "," << y;
         }
       }
@@ -85,7 +87,7 @@ TEST(TileThreshold, FlatIsWhiteAndEdgesFollowTheLight) {
           static_cast<std::uint8_t>(x >= 30 && x < 34 ? light * 6 / 10 : light);
     }
   }
-  const std::vector<bool> dark = threshold_by_bands(grey, width, height, 36);
+  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {36, 8});
   for (int x = 0; x < width; ++x) EXPECT_EQ(dark[static_cast<std::size_t>(x)], x >= 30 && x < 34) << x;
 }
 
