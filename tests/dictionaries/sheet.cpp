@@ -24,7 +24,7 @@ bool close(const std::array<Point, 4>& a, const std::array<Point, 4>& b, std::si
 Sheet draw_sheet(const Dictionary& dictionary, std::size_t first_id, int pixels_per_cell, int margin_cells) {
   constexpr int about = 2000;
   const int pitch = draw_marker(dictionary, first_id, pixels_per_cell, margin_cells).side;
-  const std::size_t columns = static_cast<std::size_t>(about / pitch);
+  const auto columns = static_cast<std::size_t>(about / pitch);
   Sheet sheet;
   sheet.side = static_cast<int>(columns) * pitch;
   const auto width = static_cast<std::size_t>(sheet.side);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <tuple>
 
@@ -128,6 +129,40 @@ TEST(ParseCodes, BoundsTheNumberOfCodes) {
   text = "8 0\n";
   for (int i = 0; i < 8193; ++i) text += std::to_string(1000000 + i) + "\n";
   EXPECT_EQ(error_of(text), "mine: more than 8192 codes need a line 'distance'");
+}
+
+// Nothing a file may hold makes the parser do more than say no.
+TEST(ParseCodes, SurvivesAnyText) {
+  const std::string seed =
+      "# odd\n3 0\nborder reversed\ndistance 2\ncells 1,-2 6,1 3,6\ncells -2,3\nsymmetric 1\n8\n5\n0xc\n";
+  std::mt19937 random(1);
+  int accepted = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string text = seed;
+    for (unsigned changes = 1 + random() % 4; changes > 0; --changes) {
+      const std::size_t at = random() % text.size();
+      const char byte = random() % 2 == 0 ? static_cast<char>(random()) : seed[random() % seed.size()];
+      switch (random() % 3) {
+        case 0:
+          text[at] = byte;
+          break;
+        case 1:
+          text.insert(at, 1, byte);
+          break;
+        default:
+          text.erase(at, 1 + random() % 8);
+      }
+      if (text.empty()) text = "4";
+    }
+    const auto dictionary = parse_codes(text, "odd");
+    if (!dictionary) {
+      EXPECT_EQ(dictionary.error().substr(0, 3), "odd") << text;
+      continue;
+    }
+    ++accepted;
+    EXPECT_EQ(check_dictionary(*dictionary), std::nullopt) << text;
+  }
+  EXPECT_GT(accepted, 200);  // otherwise the texts are too wild to test anything
 }
 
 TEST(BuiltinDictionary, EveryNameLoadsAndKeepsTheRules) {
