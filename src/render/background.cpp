@@ -17,7 +17,7 @@ float any_shade(Rng& rng, double low, double high) { return static_cast<float>(r
 
 // Units of the wall: the distance to it, so that a picture is about one unit wide.
 Texture wall_texture(Wall wall, Rng& rng) {
-  const float mid = any_shade(rng, 0.12, 0.75);
+  const float mid = any_shade(rng, 0.15, 0.85);
   const auto around = [&](float spread) { return std::array{std::max(0.02F, mid - spread), mid + spread}; };
   switch (wall) {
     case Wall::gradient:

@@ -43,12 +43,7 @@ class MarkerPlacer {
     surface.shade = static_cast<float>(rng_.uniform(0.75, 1));
     const double width = dictionary_.width;
     for (int i = 0; i < tries; ++i) {
-      Stance stance;
-      stance.place = somewhere(size, where);
-      stance.distance = rng_.uniform(6, 25);
-      stance.tilt = radians(recipe_.tilt.draw(rng_));
-      stance.azimuth = rng_.uniform(0, 2 * pi);
-      stance.spin = rng_.chance(0.5) ? rng_.uniform(-0.35, 0.35) : rng_.uniform(0, 2 * pi);
+      const Stance stance = any_stance(somewhere(size, where));
       surface.pose = stand_to_size(scene_.camera, stance, size, {0, 0, width, width});
       const Quad square = scene_.camera.picture(surface.pose, {0, 0, width, width});
       const Quad paper = scene_.camera.picture(surface.pose, surface.extent);
@@ -57,16 +52,58 @@ class MarkerPlacer {
       if (inside != (where == Place::inside)) continue;
       taken_.take(paper);
       scene_.surfaces.push_back(surface);
-      scene_.markers.push_back({scene_.surfaces.size() - 1, id, dictionary_.width, false});
+      scene_.markers.push_back({scene_.surfaces.size() - 1, id, dictionary_.width});
       return true;
     }
     return false;
   }
 
+  // A sheet of markers, or a chessboard with one in each white square, all of about that size.
+  void add_board(double size) {
+    const int columns = 3 + rng_.below(5);
+    const int rows = 2 + rng_.below(5);
+    const bool chess = rng_.chance(0.5);
+    const double width = dictionary_.width;
+    MarkerPrint first = print(next_id());
+    // A pitch is the side of the marker, its outer cells and a margin.
+    const double pitch = first.grid.side + (chess ? rng_.uniform(1.5, 4) : rng_.uniform(1, 6));
+    const Rectangle board{0, 0, columns * pitch, rows * pitch};
+    const double rim = pitch * rng_.uniform(0, 0.3);
+    Surface paper;
+    paper.extent = {-rim, -rim, board.right + rim, board.bottom + rim};
+    paper.shade = static_cast<float>(rng_.uniform(0.75, 1));
+    const float dark = recipe_.inverted ? first.white : first.black;
+    const float light = recipe_.inverted ? first.black : first.white;
+    if (chess) {
+      paper.extent = board;
+      paper.texture = Checker{dark, light, pitch, 0};
+    } else {
+      paper.texture = Gradient{light, light};
+    }
+    for (int i = 0; i < 100; ++i) {
+      const Stance stance = any_stance({rng_.uniform(0, recipe_.width), rng_.uniform(0, recipe_.height)});
+      paper.pose =
+          stand_to_size(scene_.camera, stance, size / width * std::sqrt(board.right * board.bottom), board);
+      const Quad quad = scene_.camera.picture(paper.pose, paper.extent);
+      if (!within(quad, recipe_.width, recipe_.height, -0.3 * size)) continue;
+      taken_.take(quad);
+      scene_.surfaces.push_back(paper);
+      for (int square = 0; square < rows * columns; ++square) {
+        const int column = square % columns;
+        const int row = square / columns;
+        if (chess && ((column + row) & 1) != 0) continue;
+        const int id = static_cast<int>((static_cast<std::size_t>(last_id_) + 1) % dictionary_.codes.size());
+        last_id_ = id;
+        first.grid = marker_grid(dictionary_, static_cast<std::size_t>(id));
+        add_to_board(paper, first, id, (column + 0.5) * pitch, (row + 0.5) * pitch);
+      }
+      return;
+    }
+  }
+
   // Lays something over the border of the marker added last: a tape, a cable or a finger's width.
   void cover() {
-    PlacedMarker& marker = scene_.markers.back();
-    marker.occluded = true;
+    const PlacedMarker& marker = scene_.markers.back();
     const Surface& below = scene_.surfaces[marker.surface];
     const double width = marker.width;
     const double thick = width * rng_.uniform(0.06, 0.25);
@@ -92,6 +129,30 @@ class MarkerPlacer {
       last_id_ = rng_.below(static_cast<int>(dictionary_.codes.size()));
     }
     return last_id_;
+  }
+
+  void add_to_board(const Surface& paper, const MarkerPrint& marker, int id, double u, double v) {
+    const double low = marker.grid.first;
+    const double high = low + marker.grid.side;
+    const double half = dictionary_.width / 2.0;
+    Surface surface{paper.pose, {low, low, high, high}, marker, paper.shade};
+    surface.pose.origin = paper.pose.at(u - half, v - half);
+    const Quad cells = scene_.camera.picture(surface.pose, surface.extent);
+    const double right = recipe_.width - 1;
+    const double bottom = recipe_.height - 1;
+    if (!overlap(cells, {Point{0, 0}, {right, 0}, {right, bottom}, {0, bottom}})) return;
+    scene_.surfaces.push_back(std::move(surface));
+    scene_.markers.push_back({scene_.surfaces.size() - 1, id, dictionary_.width});
+  }
+
+  Stance any_stance(Point place) {
+    Stance stance;
+    stance.place = place;
+    stance.distance = rng_.uniform(6, 25);
+    stance.tilt = radians(recipe_.tilt.draw(rng_));
+    stance.azimuth = rng_.uniform(0, 2 * pi);
+    stance.spin = rng_.chance(0.5) ? rng_.uniform(-0.35, 0.35) : rng_.uniform(0, 2 * pi);
+    return stance;
   }
 
   MarkerPrint print(int id) {
@@ -135,7 +196,7 @@ class MarkerPlacer {
 
 Light draw_light(const Recipe& recipe, Rng& rng) {
   Light light;
-  light.level = recipe.level.draw(rng);
+  light.level = 1;
   const double gradient = recipe.gradient.draw(rng);
   const double direction = rng.uniform(0, 2 * pi);
   light.slope_x = gradient * cosine(direction);
@@ -143,8 +204,7 @@ Light draw_light(const Recipe& recipe, Rng& rng) {
   light.vignette = recipe.vignette.draw(rng);
   const auto anywhere = [&] { return Point{rng.uniform(0, recipe.width), rng.uniform(0, recipe.height)}; };
   for (int n = static_cast<int>(recipe.lamps.draw(rng)); n > 0; --n) {
-    light.lamps.push_back(
-        {anywhere(), light.level * rng.uniform(0.1, 0.6), recipe.width * rng.uniform(0.1, 0.5)});
+    light.lamps.push_back({anywhere(), rng.uniform(0.1, 0.6), recipe.width * rng.uniform(0.1, 0.5)});
   }
   for (int n = static_cast<int>(recipe.shadows.draw(rng)); n > 0; --n) {
     Shadow s;
@@ -160,6 +220,22 @@ Light draw_light(const Recipe& recipe, Rng& rng) {
   return light;
 }
 
+// Scales the light to what the camera would have chosen.
+void expose_to(Light& light, double level, int width, int height) {
+  constexpr int columns = 16;
+  constexpr int rows = 12;
+  std::vector<double> sample;
+  for (int i = 0; i < columns * rows; ++i) {
+    sample.push_back(light.at({(i % columns + 0.5) * width / columns, (i / columns + 0.5) * height / rows},
+                              width, height));
+  }
+  const auto fourth_fifth = sample.begin() + columns * rows * 4 / 5;
+  std::nth_element(sample.begin(), fourth_fifth, sample.end());
+  const double factor = level / *fourth_fifth;
+  light.level *= factor;
+  for (Lamp& lamp : light.lamps) lamp.strength *= factor;
+}
+
 }  // namespace
 
 Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64_t seed, int index,
@@ -171,6 +247,7 @@ Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64
   scene.camera = {recipe.width, recipe.height, recipe.width * recipe.focal.draw(rng),
                   recipe.distortion.draw(rng)};
   scene.light = draw_light(recipe, rng);
+  expose_to(scene.light, recipe.level.draw(rng), recipe.width, recipe.height);
   scene.optics.defocus = rng.chance(0.4) ? Optics::Defocus::disc : Optics::Defocus::gaussian;
   scene.optics.blur = recipe.blur.draw(rng);
   scene.optics.motion = recipe.motion.draw(rng);
@@ -187,6 +264,7 @@ Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64
   const auto size_in = [&](const SizeQuota& q) {
     return exponential(rng.uniform(logarithm(q.low), logarithm(q.high)));
   };
+  if (rng.chance(recipe.board)) placer.add_board(recipe.board_size.draw(rng));
   for (const SizeQuota& quota : quotas) {
     for (int n = count_of(quota.count, rng); n > 0; --n) placer.add(size_in(quota), Place::inside);
   }

@@ -1,11 +1,16 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 #include "render/rng.h"
 
 namespace runmark::render {
+
+/// The floor of a number that an int can hold; in line, which std::floor is not on every machine.
+[[nodiscard]] inline int floor_int(double x) {
+  const int i = static_cast<int>(x);
+  return i - (x < i ? 1 : 0);
+}
 
 /// A random number in [0, 1) for each point of a grid.
 [[nodiscard]] inline float lattice_value(int x, int y, std::uint32_t seed) {
@@ -19,13 +24,11 @@ namespace runmark::render {
 
 /// Smooth noise in [0, 1) with features about one unit wide.
 [[nodiscard]] inline float smooth_noise(double x, double y, std::uint32_t seed) {
-  const double fx = std::floor(x);
-  const double fy = std::floor(y);
-  const int ix = static_cast<int>(fx);
-  const int iy = static_cast<int>(fy);
+  const int ix = floor_int(x);
+  const int iy = floor_int(y);
   const auto ease = [](float t) { return t * t * (3 - 2 * t); };
-  const float tx = ease(static_cast<float>(x - fx));
-  const float ty = ease(static_cast<float>(y - fy));
+  const float tx = ease(static_cast<float>(x - ix));
+  const float ty = ease(static_cast<float>(y - iy));
   const auto between = [](float a, float b, float t) { return a + (b - a) * t; };
   return between(between(lattice_value(ix, iy, seed), lattice_value(ix + 1, iy, seed), tx),
                  between(lattice_value(ix, iy + 1, seed), lattice_value(ix + 1, iy + 1, seed), tx), ty);

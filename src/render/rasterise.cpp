@@ -84,6 +84,9 @@ class Painter {
 
  private:
   static constexpr bool exact = std::is_same_v<T, MarkerPrint>;
+  // No edges inside: four samples will do.
+  static constexpr bool smooth =
+      std::is_same_v<T, Gradient> || std::is_same_v<T, Noise> || std::is_same_v<T, Photo>;
 
   [[nodiscard]] Vec3 on_plane(double x, double y) const {
     const Point p = camera_.undistort({x, y});
@@ -121,6 +124,7 @@ class Painter {
       if (!texture_.plain(u0, u1, v0, v1)) return sample<8>(x, y, old);
       return surface_.shade * texture_.value((u0 + u1) / 2, (v0 + v1) / 2);
     } else {
+      if constexpr (smooth) return surface_.shade * 0.25F * (a.value + b.value + c.value + d.value);
       const float low = std::min({a.value, b.value, c.value, d.value});
       const float high = std::max({a.value, b.value, c.value, d.value});
       if (high - low > 0.06F) return sample<4>(x, y, old);

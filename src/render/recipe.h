@@ -44,13 +44,16 @@ struct Recipe {
   Range tilt{0, 70};          ///< degrees
   Range margin{0.4, 3, 1.5};  ///< white paper round the marker, cells
   bool inverted = false;
-  double occluded = 0.3;   ///< markers with a covered border in each scene, on average
-  double cut = 0.2;        ///< markers cut by the picture's edge, likewise
-  double repeated = 0.05;  ///< share of markers that repeat the id of the one before
+  double occluded = 0.3;        ///< markers with a covered border in each scene, on average
+  double cut = 0.2;             ///< markers cut by the picture's edge, likewise
+  double board = 0;             ///< share of scenes with a sheet of markers or a chessboard of them
+  Range board_size{14, 60, 2};  ///< of each of its markers, pixels
+  double repeated = 0.05;       ///< share of markers that repeat the id of the one before
   Wall wall = Wall::any;
-  Range clutter{2, 16};          ///< things on the wall
-  Range level{0.25, 1.15, 0.6};  ///< light; 1 makes a perfect white full scale
-  Range gradient{0, 0.6, 2};     ///< share of light gained or lost from the centre to an edge
+  Range clutter{2, 16};        ///< things on the wall
+  Range level{0.3, 1.2, 0.5};  ///< light that four fifths of the picture stay below, as if the camera had
+                               ///< measured it; 1 makes a perfect white full scale
+  Range gradient{0, 0.6, 2};   ///< share of light gained or lost from the centre to an edge
   Sometimes lamps{0.25, {1, 2.99}};
   Sometimes shadows{0.5, {1, 3.99, 1.5}};
   Sometimes vignette{0.3, {0.05, 0.5}};

@@ -30,6 +30,19 @@ double tilt_of(const PlanePose& pose, double u, double v) {
   return std::ldexp(sum, doublings) * 180 / pi;
 }
 
+// Whether a later surface lies over any of the marker's cells.
+bool is_covered(const Scene& scene, const PlacedMarker& marker) {
+  const Surface& surface = scene.surfaces[marker.surface];
+  const MarkerGrid& grid = std::get<MarkerPrint>(surface.texture).grid;
+  const double low = grid.first + 1e-6;
+  const double high = grid.first + grid.side - 1e-6;
+  const Quad cells = scene.camera.picture(surface.pose, {low, low, high, high});
+  const auto later = scene.surfaces.begin() + static_cast<std::ptrdiff_t>(marker.surface) + 1;
+  return std::any_of(later, scene.surfaces.end(), [&](const Surface& s) {
+    return overlap(cells, scene.camera.picture(s.pose, s.extent));
+  });
+}
+
 MarkerTruth marker_truth(const Scene& scene, const PlacedMarker& marker) {
   const Surface& surface = scene.surfaces[marker.surface];
   const auto& print = std::get<MarkerPrint>(surface.texture);
@@ -55,7 +68,7 @@ MarkerTruth marker_truth(const Scene& scene, const PlacedMarker& marker) {
   const Point middle = scene.camera.picture(surface.pose, width / 2, width / 2);
   t.contrast = 255 * static_cast<double>((print.white - print.black) * surface.shade) *
                scene.light.at(middle, scene.camera.width, scene.camera.height);
-  t.occluded = marker.occluded;
+  t.occluded = is_covered(scene, marker);
   return t;
 }
 

@@ -18,8 +18,7 @@ namespace runmark::render {
 struct PlacedMarker {
   std::size_t surface = 0;
   int id = 0;
-  int width = 0;          ///< cells along the side of the detected square
-  bool occluded = false;  ///< its border is covered by a later surface
+  int width = 0;  ///< cells along the side of the detected square
 };
 
 /// All that a picture is made of. A value: copy it, change one thing, render it again.

@@ -15,6 +15,7 @@ Recipe recipe(int width, int height, double more) {
   r.width = width;
   r.height = height;
   r.marker_free = 0.08;
+  r.board = 0.15;
   for (std::size_t i = 0; i + 1 < buckets.size(); ++i) {
     r.sizes.push_back({buckets[i], buckets[i + 1], i >= 2 ? 1 + more : 1});
   }

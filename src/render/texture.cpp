@@ -9,9 +9,8 @@ namespace runmark::render {
 
 namespace {
 
-int floor_int(double x) { return static_cast<int>(std::floor(x)); }
 float blend(float a, float b, float t) { return a + (b - a) * t; }
-double fraction(double x) { return x - std::floor(x); }
+double fraction(double x) { return x - floor_int(x); }
 
 }  // namespace
 

@@ -17,9 +17,9 @@ struct MarkerTruth {
   double cell = 0;        ///< the shortest side over the number of cells along it
   double tilt = 0;        ///< degrees between the marker's normal and the line of sight
   double distance = 0;    ///< from the camera to its centre, in marker sides
-  double margin = 0;      ///< paper left round the cells, in cells
+  double margin = 0;      ///< paper of its own round the cells, in cells
   double contrast = 0;    ///< white minus black at its centre, grey levels before the tone curve
-  bool occluded = false;  ///< its border is covered
+  bool occluded = false;  ///< something lies over some of its cells
   bool cut = false;       ///< a corner lies outside the picture or within a pixel of its edge
   /// Neither required nor wrong when it is reported.
   [[nodiscard]] bool optional() const { return occluded || cut; }

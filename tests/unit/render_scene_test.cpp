@@ -28,7 +28,7 @@ Scene one_marker(Stance stance, double size, double distortion = 0) {
   surface.extent = {-4, -4, 12, 12};
   surface.pose = stand_to_size(scene.camera, stance, size, {0, 0, 8, 8});
   scene.surfaces = {surface};
-  scene.markers = {{0, 3, 8, false}};
+  scene.markers = {{0, 3, 8}};
   return scene;
 }
 

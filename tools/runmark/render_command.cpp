@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "errors.h"
+#include "render/samples.h"
 #include "render/standard_sets.h"
 #include "render/truth_json.h"
 #include "runmark/dictionary.h"
@@ -32,7 +33,7 @@ struct RenderOptions {
   int scenes = 0;
   int first = 0;
   std::uint64_t seed = 0;
-  std::string dictionary = "tag36h11";
+  std::string dictionary;
   bool inverted = false;
   std::string format = "png";
   int jobs = 0;
@@ -115,7 +116,7 @@ render::Wall parse_wall(const std::string& name) {
 }
 
 render::Recipe recipe_of(const RenderOptions& o, render::Recipe r) {
-  r.inverted = o.inverted;
+  r.inverted = r.inverted || o.inverted;
   if (!o.picture_size.empty()) parse_picture_size(o.picture_size, r);
   const auto range = [](Range& to, const char* option, const std::string& text, double least, double most) {
     if (!text.empty()) to = parse_range(option, text, least, most);
@@ -215,43 +216,74 @@ void in_parallel(int count, int threads, const Job& job) {
   if (error) std::rethrow_exception(error);
 }
 
-void run(const RenderOptions& o) {
+// A scene still to be made, and the file it goes into.
+struct Job {
+  std::string name;
+  int index = 0;
+  render::Recipe recipe;
+  std::shared_ptr<const Dictionary> dictionary;
+  std::uint64_t seed = 0;
+};
+
+std::shared_ptr<const Dictionary> dictionary_of(const std::string& name) {
+  return std::make_shared<const Dictionary>(value_or_throw(load_dictionary(name), "--dict " + name));
+}
+
+std::vector<Job> sample_jobs(const RenderOptions& o) {
+  std::vector<Job> jobs;
+  for (const render::Sample& sample : render::samples()) {
+    if (o.scenes > 0 && static_cast<int>(jobs.size()) == o.scenes) break;
+    const std::string dictionary = o.dictionary.empty() ? std::string(sample.dictionary) : o.dictionary;
+    jobs.push_back({std::string(sample.name), o.first, recipe_of(o, sample.recipe), dictionary_of(dictionary),
+                    render::set_seed(sample.name, sample.seed + o.seed)});
+  }
+  return jobs;
+}
+
+std::vector<Job> set_jobs(const RenderOptions& o) {
   const render::StandardSet* set = render::find_standard_set(o.set);
   if (set == nullptr) {
-    std::string names;
-    for (const render::StandardSet& s : render::standard_sets()) names += " " + std::string(s.name);
-    throw UserError("--set " + o.set + ": there are" + names);
+    std::string names = "samples";
+    for (const render::StandardSet& s : render::standard_sets()) names += ", " + std::string(s.name);
+    throw UserError("--set " + o.set + ": there are " + names);
   }
-  const Dictionary dictionary = value_or_throw(load_dictionary(o.dictionary), "--dict");
+  const auto dictionary = dictionary_of(o.dictionary.empty() ? "tag36h11" : o.dictionary);
   const render::Recipe recipe = recipe_of(o, set->recipe);
-  const auto photos = read_photos(o.background, recipe.width);
-  const int scenes = o.scenes > 0 ? o.scenes : set->scenes;
-  const std::uint64_t seed = render::set_seed(set->name, o.seed);
+  std::vector<Job> jobs;
+  for (int i = 0; i < (o.scenes > 0 ? o.scenes : set->scenes); ++i) {
+    char number[16];
+    std::snprintf(number, sizeof number, "_%04d", o.first + i);
+    jobs.push_back({o.set + number, o.first + i, recipe, dictionary, render::set_seed(set->name, o.seed)});
+  }
+  return jobs;
+}
+
+void run(const RenderOptions& o) {
+  const std::vector<Job> jobs = o.set == "samples" ? sample_jobs(o) : set_jobs(o);
+  const auto photos = read_photos(o.background, jobs.front().recipe.width);
   std::error_code failed;
   fs::create_directories(o.output, failed);
   if (failed) throw UserError(o.output.string() + ": " + failed.message());
 
-  std::vector<nlohmann::ordered_json> truth(static_cast<std::size_t>(scenes));
+  std::vector<nlohmann::ordered_json> truth(jobs.size());
   const int threads =
       o.jobs > 0 ? o.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  in_parallel(scenes, threads, [&](int i) {
-    const int index = o.first + i;
-    const render::RenderedFrame frame =
-        render::render(render::make_scene(recipe, dictionary, seed, index, photos));
-    char number[16];
-    std::snprintf(number, sizeof number, "%04d", index);
-    const std::string name = o.set + "_" + number + "." + o.format;
-    write_picture(o.output / name, frame);
-    nlohmann::ordered_json entry = render::to_json(frame.truth, name);
+  in_parallel(static_cast<int>(jobs.size()), threads, [&](int i) {
+    const Job& job = jobs[static_cast<std::size_t>(i)];
+    const render::Scene scene = render::make_scene(job.recipe, *job.dictionary, job.seed, job.index, photos);
+    const render::RenderedFrame frame = render::render(scene);
+    const std::string image = job.name + "." + o.format;
+    write_picture(o.output / image, frame);
+    nlohmann::ordered_json entry = render::to_json(frame.truth, image);
     entry["scene"]["set"] = o.set;
     entry["scene"]["seed"] = o.seed;
-    entry["scene"]["index"] = index;
+    entry["scene"]["index"] = job.index;
     truth[static_cast<std::size_t>(i)] = std::move(entry);
   });
   write_text(o.output / "truth.json", render::truth_file(truth));
   std::size_t markers = 0;
   for (const auto& entry : truth) markers += entry["markers"].size();
-  std::printf("%d scenes, %zu markers: %s\n", scenes, markers, (o.output / "truth.json").c_str());
+  std::printf("%zu scenes, %zu markers: %s\n", jobs.size(), markers, (o.output / "truth.json").c_str());
 }
 
 }  // namespace
@@ -260,11 +292,12 @@ void add_render_command(CLI::App& app) {
   auto o = std::make_shared<RenderOptions>();
   CLI::App* c = app.add_subcommand("render", "Makes scenes with exact truth");
   c->add_option("-o,--output", o->output, "Folder for the pictures and truth.json")->required();
-  c->add_option("--set", o->set, "vga, hd, fullhd or uhd")->capture_default_str();
+  c->add_option("--set", o->set, "vga, hd, fullhd, uhd or samples")->capture_default_str();
   c->add_option("--scenes", o->scenes, "How many; without it the whole set")->check(CLI::Range(1, 1000000));
   c->add_option("--first", o->first, "Number of the first scene")->check(CLI::Range(0, 1000000));
   c->add_option("--seed", o->seed, "Other scenes of the same kind; 0 is the standard set");
-  c->add_option("--dict", o->dictionary, "Dictionary name or .codes file")->capture_default_str();
+  c->add_option("--dict", o->dictionary,
+                "Dictionary name or .codes file; without it tag36h11, or the sample's own");
   c->add_flag("--inverted", o->inverted, "White-on-black markers");
   c->add_option("--format", o->format, "png, pgm or jpg")
       ->check(CLI::IsMember({"png", "pgm", "jpg"}))
