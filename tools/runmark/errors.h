@@ -17,6 +17,11 @@ class UserError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// One input is broken; the others can still be worked through.
+class InputError : public UserError {
+  using UserError::UserError;
+};
+
 /// Ends the program with this status after everything has been said.
 struct ExitStatus {
   int value = 0;

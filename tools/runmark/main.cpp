@@ -2,14 +2,19 @@
 #include <exception>
 #include <new>
 
+#include "detect_command.h"
 #include "errors.h"
+#include "library_messages.h"
 #include "render_command.h"
 #include "runmark/version.h"
 
 namespace runmark::cli {
 namespace {
 
-void add_commands(CLI::App& app) { add_render_command(app); }
+void add_commands(CLI::App& app) {
+  add_detect_command(app);
+  add_render_command(app);
+}
 
 int run(int argc, char** argv) {
   CLI::App app("Finds square fiducial markers in images, videos and camera streams", "runmark");
@@ -17,6 +22,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.get_formatter()->column_width(34);
   add_commands(app);
+  silence_libraries();
   try {
     app.parse(argc, argv);
     // Asked only now, so that `runmark --version` needs no command.

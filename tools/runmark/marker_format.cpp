@@ -1,0 +1,143 @@
+#include "marker_format.h"
+
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace runmark::cli {
+namespace {
+
+/// To three decimals: a thousandth of a pixel is far below what any detector can tell.
+double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
+
+/// printf into a string of its own; lines longer than the buffer do not occur.
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+  std::array<char, 256> buffer{};
+  std::va_list arguments;
+  va_start(arguments, pattern);
+  std::vsnprintf(buffer.data(), buffer.size(), pattern, arguments);
+  va_end(arguments);
+  return buffer.data();
+}
+
+/// For people.
+class TextFormat : public MarkerFormat {
+ public:
+  [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
+                                  const FrameReport* report) const override {
+    const std::string count = markers.size() == 1 ? "1 marker" : std::to_string(markers.size()) + " markers";
+    std::string text = frame.source;
+    if (!frame.still) text += format(", frame %lld", static_cast<long long>(frame.index));
+    text += format(", %d x %d: ", frame.pixels.cols, frame.pixels.rows) + count + '\n';
+    for (const Marker& marker : markers) text += line(marker);
+    if (report != nullptr) text += line(*report);
+    return text;
+  }
+
+ private:
+  static std::string line(const Marker& marker) {
+    std::string text = format("  %-18.*s %5d ", static_cast<int>(marker.dictionary.size()),
+                              marker.dictionary.data(), marker.id);
+    for (const Point& corner : marker.corners) text += format(" (%8.3f, %8.3f)", corner.x, corner.y);
+    return text + format("  hamming %d  margin %.3f%s\n", marker.hamming, static_cast<double>(marker.margin),
+                         marker.inverted ? "  inverted" : "");
+  }
+
+  static std::string line(const FrameReport& report) {
+    const FrameStats& s = report.stats;
+    const auto number = [](std::uint64_t n) { return std::to_string(n); };
+    return format("  %.3f ms: ", report.milliseconds) + number(s.pixels) + " pixels, " +
+           number(s.crack_runs) + " crack runs, " + number(s.closed_chains) + " closed chains, " +
+           number(s.quads) + " quads, " + number(s.records_peak) + " records at most, " +
+           number(s.dropped_chains) + " chains and " + number(s.dropped_markers) + " markers dropped\n";
+  }
+};
+
+/// One JSON object a frame.
+class JsonLinesFormat : public MarkerFormat {
+ public:
+  [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
+                                  const FrameReport* report) const override {
+    Json line{{"source", frame.source},
+              {"frame", frame.index},
+              {"width", frame.pixels.cols},
+              {"height", frame.pixels.rows},
+              {"markers", Json::array()}};
+    for (const Marker& marker : markers) line["markers"].push_back(to_json(marker));
+    if (report != nullptr) {
+      line["stats"] = to_json(report->stats);
+      line["ms"] = rounded(report->milliseconds);
+    }
+    // File names need not be UTF-8; JSON must be.
+    return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  }
+
+ private:
+  using Json = nlohmann::ordered_json;
+
+  static Json to_json(const Marker& marker) {
+    Json corners = Json::array();
+    for (const Point& corner : marker.corners) {
+      corners.push_back(Json::array({rounded(corner.x), rounded(corner.y)}));
+    }
+    return {{"dictionary", marker.dictionary},
+            {"id", marker.id},
+            {"corners", corners},
+            {"hamming", marker.hamming},
+            {"margin", rounded(static_cast<double>(marker.margin))},
+            {"inverted", marker.inverted}};
+  }
+
+  static Json to_json(const FrameStats& stats) {
+    return {{"pixels", stats.pixels},
+            {"crack_runs", stats.crack_runs},
+            {"closed_chains", stats.closed_chains},
+            {"quads", stats.quads},
+            {"records_peak", stats.records_peak},
+            {"dropped_chains", stats.dropped_chains},
+            {"dropped_markers", stats.dropped_markers}};
+  }
+};
+
+/// One row a marker, as RFC 4180 has it but for the line ends.
+class CsvFormat : public MarkerFormat {
+ public:
+  [[nodiscard]] std::string header() const override {
+    return "source,frame,width,height,dictionary,id,x0,y0,x1,y1,x2,y2,x3,y3,hamming,margin,inverted\n";
+  }
+
+  [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
+                                  const FrameReport* /*report*/) const override {
+    const std::string start =
+        quoted(frame.source) +
+        format(",%lld,%d,%d,", static_cast<long long>(frame.index), frame.pixels.cols, frame.pixels.rows);
+    std::string text;
+    for (const Marker& marker : markers) {
+      text += start + quoted(std::string(marker.dictionary)) + format(",%d", marker.id);
+      for (const Point& corner : marker.corners) text += format(",%.3f,%.3f", corner.x, corner.y);
+      text += format(",%d,%.3f,%d\n", marker.hamming, static_cast<double>(marker.margin),
+                     marker.inverted ? 1 : 0);
+    }
+    return text;
+  }
+
+ private:
+  static std::string quoted(const std::string& field) {
+    if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
+    std::string text = "\"";
+    for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return text + '"';
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name) {
+  if (name == "jsonl") return std::make_unique<JsonLinesFormat>();
+  if (name == "csv") return std::make_unique<CsvFormat>();
+  return std::make_unique<TextFormat>();
+}
+
+}  // namespace runmark::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "frame.h"
+#include "runmark/detector.h"
+
+namespace runmark::cli {
+
+/// How long one frame took and what was done for it; for --stats.
+struct FrameReport {
+  FrameStats stats;
+  double milliseconds = 0;  ///< in the detector alone
+};
+
+/// Writes the markers of frames as text, each frame as whole lines.
+class MarkerFormat {
+ public:
+  MarkerFormat() = default;
+  MarkerFormat(const MarkerFormat&) = delete;
+  MarkerFormat& operator=(const MarkerFormat&) = delete;
+  virtual ~MarkerFormat() = default;
+
+  /// What goes before the first frame.
+  [[nodiscard]] virtual std::string header() const { return {}; }
+
+  /// `report` is null without --stats.
+  [[nodiscard]] virtual std::string frame(const Frame& frame, std::span<const Marker> markers,
+                                          const FrameReport* report) const = 0;
+};
+
+/// `name` is text, jsonl or csv.
+[[nodiscard]] std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name);
+
+}  // namespace runmark::cli
