@@ -53,11 +53,11 @@ const char* check_connectivities(ContourChecker& checker, const ProofScope& scop
 
 const char* check_image(ContourChecker& checker, const PixelImage& image, const ProofScope& scope) {
   if (scope.unfiltered) {
-    if (const char* fault = checker.take(image, filter_none)) return fault;
+    if (const char* fault = checker.take(image, filter_none, scope.column)) return fault;
     if (const char* fault = check_connectivities(checker, scope)) return fault;
   }
   if (!scope.filtered) return nullptr;
-  if (const char* fault = checker.take(image, filter_all)) return fault;
+  if (const char* fault = checker.take(image, filter_all, scope.column)) return fault;
   // What the filter leaves as it was has just been checked.
   if (scope.unfiltered && !checker.filter_changed()) return nullptr;
   return check_connectivities(checker, scope);

@@ -15,6 +15,7 @@ struct ProofScope {
   bool unfiltered = true;
   bool filtered = true;  ///< with every case on
   bool limits = true;    ///< with limits that drop contours, early and not, and with too few records
+  int column = 0;        ///< where the image stands in its rows
 };
 
 /// What is wrong with one image, or nullptr: all runs of the scope.

@@ -1,7 +1,7 @@
 // Runs every binary image there is, up to a number of pixels and in every shape, through the preprocess and
 // contour cores and compares every contour with the naive follower's.
 //
-//   prove_contours [--pixels N] [--shape WxH] [--threads N] [--only unfiltered-8|unfiltered-4]
+//   prove_contours [--pixels N] [--shape WxH] [--column X] [--threads N] [--only unfiltered-8|unfiltered-4]
 //
 // Without --pixels: RUNMARK_EXHAUSTIVE_PIXELS, else 20. Exit status 0: all right; 1: an image is wrong;
 // 2: bad arguments.
@@ -48,6 +48,11 @@ bool parse(std::string_view name, std::string_view value, Arguments& arguments) 
     arguments.threads = threads.value_or(0);
     return threads.has_value();
   }
+  if (name == "--column") {
+    const auto column = number(value, 0, 4096);
+    arguments.scope.column = column.value_or(0);
+    return column.has_value();
+  }
   if (name == "--shape") {
     const std::size_t cross = value.find('x');
     if (cross == std::string_view::npos) return false;
@@ -58,7 +63,10 @@ bool parse(std::string_view name, std::string_view value, Arguments& arguments) 
   }
   if (name == "--only" && (value == "unfiltered-8" || value == "unfiltered-4")) {
     const bool eight = value == "unfiltered-8";
-    arguments.scope = {.four = !eight, .eight = eight, .filtered = false, .limits = false};
+    arguments.scope.four = !eight;
+    arguments.scope.eight = eight;
+    arguments.scope.filtered = false;
+    arguments.scope.limits = false;
     return true;
   }
   return false;
