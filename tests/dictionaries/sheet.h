@@ -22,6 +22,13 @@ struct Sheet {
   std::vector<Drawn> markers;
 };
 
+/// Under a sanitizer one sheet of each dictionary has to do: the others take the same paths, and long.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool one_sheet_only = true;
+#else
+inline constexpr bool one_sheet_only = false;
+#endif
+
 /// Ids from `first_id` on, as many as fit on a picture of about 2,000 pixels a side.
 [[nodiscard]] Sheet draw_sheet(const Dictionary& dictionary, std::size_t first_id, int pixels_per_cell,
                                int margin_cells);
