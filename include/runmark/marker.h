@@ -18,9 +18,10 @@ struct Marker {
   /// Top-left, top-right, bottom-right, bottom-left of the marker as it is drawn (AprilTag families:
   /// as on the official tag images); clockwise in the image.
   std::array<Point, 4> corners{};
-  int hamming = 0;        ///< bits that were corrected
-  float margin = 0;       ///< how far the weakest cell was from the grey level that would flip it,
-                          ///< as a share of the black-to-white contrast: 0 (doubtful) to 0.5 (clear)
+  int hamming = 0;  ///< bits that were corrected
+  /// How far the cells are, on average, from the grey level that would flip them, as a share of the
+  /// black-to-white contrast: 0 (doubtful) to 0.5 (clear).
+  float margin = 0;
   bool inverted = false;  ///< white on black
   int row = -1;           ///< the frame row that had come in when the marker was given out
 };

@@ -7,6 +7,8 @@
 namespace runmark {
 namespace {
 
+constexpr int most_grid = 16;  // cells across the widest marker with its neighbours
+
 int overhang_of(const Dictionary& dictionary) {
   int overhang = 0;
   for (const Cell cell : dictionary.cells) overhang = std::max({overhang, -cell.x, -cell.y});
@@ -60,14 +62,32 @@ int MarkerReader::lowest_row(const Quad& quad) const {
 
 MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homography& place,
                                            const LightModel& light, const Layout& layout) {
-  // A few points of each cell against noise, well away from its neighbours.
+  // Small cells are read at their middle; larger ones at a few points against noise, well away from their
+  // neighbours.
   static constexpr std::array<std::array<double, 2>, 5> inner{
       {{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}};
-  Reading reading;
-  double sum = 0;
+  constexpr double small_cell = 5;  // pixels
+  const Point first = place(0, 0);
+  const Point third = place(layout.width, layout.width);
+  const double diagonal =
+      std::sqrt((third.x - first.x) * (third.x - first.x) + (third.y - first.y) * (third.y - first.y));
+  const std::size_t points = diagonal < 1.41 * small_cell * layout.width ? 1 : inner.size();
+
+  // Values of the data cells among their neighbours: 0 like the ring inside the square, 1 like that outside.
+  const int reach = layout.overhang + 1;
+  std::array<float, most_grid * most_grid> grid{};
+  const auto at = [&](int x, int y) -> float& {
+    return grid[static_cast<std::size_t>((y + reach) * most_grid + x + reach)];
+  };
+  for (int y = -reach; y < layout.width + reach; ++y) {
+    for (int x = -reach; x < layout.width + reach; ++x) {
+      at(x, y) = x < 0 || y < 0 || x >= layout.width || y >= layout.width ? 1.0F : 0.0F;
+    }
+  }
   for (const Cell cell : layout.cells) {
     double value = 0;
-    for (const auto& [u, v] : inner) {
+    for (std::size_t k = 0; k < points; ++k) {
+      const auto& [u, v] = inner[k];
       const double cu = cell.x + u;
       const double cv = cell.y + v;
       const Point p = place(cu, cv);
@@ -75,11 +95,22 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
       const double inside = light.inside.at(cu, cv);
       value += (grey - inside) / (light.outside.at(cu, cv) - inside);
     }
-    value /= static_cast<double>(inner.size());
-    reading.code = (reading.code << 1) | (value > 0.5 ? 1U : 0U);
-    sum += std::min(std::fabs(value - 0.5), 0.5);
+    at(cell.x, cell.y) = static_cast<float>(value / static_cast<double>(points));
   }
-  reading.margin = static_cast<float>(sum / static_cast<double>(layout.cells.size()));
+  // Blur mixes each cell with its neighbours: what they took is given back.
+  constexpr float sharpening = 0.3F;
+  Reading reading;
+  float sum = 0;
+  for (const Cell cell : layout.cells) {
+    const int x = cell.x;
+    const int y = cell.y;
+    const float value = at(x, y);
+    const float neighbours = at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1);
+    const float sharp = value + sharpening * (4 * value - neighbours);
+    reading.code = (reading.code << 1) | (sharp > 0.5F ? 1U : 0U);
+    sum += std::min(std::fabs(sharp - 0.5F), 0.5F);
+  }
+  reading.margin = sum / static_cast<float>(layout.cells.size());
   return reading;
 }
 
