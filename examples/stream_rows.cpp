@@ -32,9 +32,9 @@ void stream(const Picture& picture, int rows_at_a_time) {
   const auto report = [&](int rows) {
     // What was given out is never withdrawn: only the new ones at the back need a look.
     for (const runmark::Marker& marker : detector->markers().subspan(reported)) {
-      std::cout << std::fixed << std::setprecision(1) << marker.dictionary << ' ' << marker.id << ": known after "
-                << rows << " of " << picture.height << " rows, " << (picture.height - rows) * row_ms
-                << " ms before the end of the read-out\n";
+      std::cout << std::fixed << std::setprecision(1) << marker.dictionary << ' ' << marker.id
+                << ": known after " << rows << " of " << picture.height << " rows, "
+                << (picture.height - rows) * row_ms << " ms before the end of the read-out\n";
     }
     reported = detector->markers().size();
   };

@@ -41,7 +41,7 @@ class MarkerReader {
 
  private:
   struct Book {
-    const Dictionary* dictionary;
+    const Dictionary* dictionary = nullptr;
     CodeLookup lookup;
   };
   /// Dictionaries whose cells lie alike: sampled once.

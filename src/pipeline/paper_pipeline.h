@@ -26,7 +26,7 @@ class PaperPipeline final : public FramePipeline {
 
  private:
   struct Templates {
-    const Dictionary* dictionary;
+    const Dictionary* dictionary = nullptr;
     CodeLookup lookup;
   };
   void consider(const ClosedChain& chain, const GreyFrame& frame, FoundMarkers& found,

@@ -38,8 +38,8 @@ class StandardPipeline final : public FramePipeline {
   /// A quadrilateral with data cells in rows that have not come in.
   struct Waiting {
     Quad quad;
-    double reach;
-    int row;
+    double reach = 0;
+    int row = 0;
   };
 
   Options options_;
