@@ -24,6 +24,13 @@ install(FILES ${PROJECT_BINARY_DIR}/runmark.pc DESTINATION ${CMAKE_INSTALL_LIBDI
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(RUNMARK_TOOLS)
-  configure_file(${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in ${PROJECT_BINARY_DIR}/runmark.1 @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/runmark.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  set(man_page ${PROJECT_BINARY_DIR}/runmark.1)
+  add_custom_command(OUTPUT ${man_page}
+    COMMAND ${CMAKE_COMMAND} -DRUNMARK=$<TARGET_FILE:runmark_cli> -DPROJECT_VERSION=${PROJECT_VERSION}
+            -DINPUT=${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in -DOUTPUT=${man_page}
+            -P ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
+    DEPENDS runmark_cli ${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
+    VERBATIM)
+  add_custom_target(man_page ALL DEPENDS ${man_page})
+  install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
