@@ -3,6 +3,7 @@
 #include <new>
 
 #include "detect_command.h"
+#include "dictionaries_command.h"
 #include "errors.h"
 #include "library_messages.h"
 #include "render_command.h"
@@ -13,6 +14,7 @@ namespace {
 
 void add_commands(CLI::App& app) {
   add_detect_command(app);
+  add_dictionaries_command(app);
   add_render_command(app);
 }
 
