@@ -116,10 +116,12 @@ Result<Dictionary> load_dictionary(const std::string& name_or_path) {
   if (!name_or_path.ends_with(ending)) return builtin_dictionary(name_or_path);
   auto text = file_text(name_or_path);
   if (!text) return Error{text.error()};
+  auto dictionary = parse_codes(*text, name_or_path);  // errors say which file
+  if (!dictionary) return dictionary;
   const std::size_t slash = name_or_path.find_last_of('/');
-  std::string stem = name_or_path.substr(slash == std::string::npos ? 0 : slash + 1);
-  stem.resize(stem.size() - ending.size());
-  return parse_codes(*text, std::move(stem));
+  dictionary->name = name_or_path.substr(slash == std::string::npos ? 0 : slash + 1);
+  dictionary->name.resize(dictionary->name.size() - ending.size());
+  return dictionary;
 }
 
 }  // namespace runmark

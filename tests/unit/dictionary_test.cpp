@@ -271,9 +271,12 @@ TEST(LoadDictionary, ReadsAFileAndNamesItByItsStem) {
   const auto path = std::filesystem::temp_directory_path() / "runmark_dictionary_test.codes";
   std::ofstream(path) << "4 1\n5867\n8b03\n";
   const auto dictionary = load_dictionary(path.string());
-  std::filesystem::remove(path);
   ASSERT_TRUE(dictionary) << dictionary.error();
   EXPECT_EQ(dictionary->name, "runmark_dictionary_test");
+  std::ofstream(path) << "4 1\nspam\n";
+  EXPECT_EQ(load_dictionary(path.string()).error(),
+            path.string() + ", line 2: 'spam' is not a code of up to 16 hexadecimal digits");
+  std::filesystem::remove(path);
   EXPECT_EQ(load_dictionary(path.string()).error(), path.string() + ": cannot open");
   EXPECT_EQ(load_dictionary("DICT_4X4_50")->codes.size(), 50U);
 }

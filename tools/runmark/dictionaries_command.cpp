@@ -125,14 +125,11 @@ void add_dictionaries_command(CLI::App& app) {
   };
   CLI::App* command = app.add_subcommand("dictionaries", "List the dictionaries and what they hold");
   const auto settings = std::make_shared<Settings>();
-  command
-      ->add_option("NAME", settings->names,
-                   "Dictionaries or .codes files; all built-in ones when none is given")
+  command->add_option("NAME", settings->names, "Dictionaries or .codes files; without any: all built-in ones")
       ->type_name("");
-  command->add_option("-f,--format", settings->format, "How they are printed")
-      ->check(CLI::IsMember({"text", "json", "markdown"}))
-      ->capture_default_str()
-      ->type_name("");
+  command->add_option("-f,--format", settings->format, "How they are printed (text)")
+      ->check(CLI::IsMember({"text", "json", "markdown"}).description(""))
+      ->type_name("text|json|markdown");
   command->add_option("-o,--output", settings->output, "Print into this file instead of standard output")
       ->type_name("FILE");
   command->footer(
