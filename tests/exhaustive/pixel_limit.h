@@ -12,4 +12,7 @@ inline int pixel_limit(int wanted) {
   return limit == nullptr ? wanted : std::clamp(std::atoi(limit), 1, wanted);
 }
 
+/// Whether this is such a shortened run.
+inline bool shortened() { return pixel_limit(20) < 20; }
+
 }  // namespace runmark
