@@ -23,17 +23,16 @@ inline constexpr std::size_t window_count = 512;
   const bool nw = dark(0), n = dark(1), ne = dark(2);
   const bool w = dark(3), c = dark(4), e = dark(5);
   const bool sw = dark(6), s = dark(7), se = dark(8);
-  const int dark_corners = nw + ne + sw + se;
 
   if (c && !(n || s || w || e)) {
-    if (dark_corners == 0) return filter_lone_object;
+    if (!(nw || ne || sw || se)) return filter_lone_object;
     // Two dark corners on one side may be, with this pixel, the rim of a hole of case (a): filling the
     // hole and removing its rim at once would turn the figure inside out.
     const bool two_on_a_side = (nw || se) && (ne || sw);
     return two_on_a_side ? filter_none : filter_diagonal_object;
   }
   if (!c && n && s && w && e) {
-    if (dark_corners == 4) return filter_lone_hole;
+    if (nw && ne && sw && se) return filter_lone_hole;
     // Two light corners on one side: the rim pixel between them holds on by its own corners only.
     const bool two_on_a_side = (!nw || !se) && (!ne || !sw);
     return two_on_a_side ? filter_hole_with_diagonals : filter_diagonal_hole;

@@ -104,7 +104,8 @@ int main(int argc, char** argv) {
   }
   for (int i = 1; i < argc; i += 2) {
     if (i + 1 == argc || !parse(argv[i], argv[i + 1], arguments)) {
-      std::fprintf(stderr, "%s: bad argument or value\n", argv[i]);
+      std::fprintf(stderr, "prove_contours: %s %s: unknown argument, bad value or more than %d pixels\n",
+                   argv[i], i + 1 == argc ? "(no value)" : argv[i + 1], most_pixels);
       return 2;
     }
   }
