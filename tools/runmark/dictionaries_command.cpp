@@ -143,6 +143,7 @@ void add_dictionaries_command(CLI::App& app) {
     std::vector<std::string> names = settings->names;
     if (names.empty()) names.assign(dictionary_names().begin(), dictionary_names().end());
     std::vector<Dictionary> dictionaries;
+    dictionaries.reserve(names.size());
     for (const std::string& name : names) dictionaries.push_back(value_or_throw(load_dictionary(name)));
     OutputFile output(settings->output);
     output.write(dictionary_table(dictionaries, settings->format));
