@@ -19,6 +19,13 @@ struct Region {
   int height = 0;
 };
 
+/// Which dark pixels touch: eight also counts those that meet at a corner only.
+enum class Connectivity : std::uint8_t {
+  standard,  ///< the pipeline's own: eight in the paper's, four in the others
+  four,
+  eight,
+};
+
 /// The cases of the paper's Fig. 2 as bits of Options::filter.
 enum FilterCase : std::uint8_t {
   filter_none = 0,
@@ -29,6 +36,7 @@ enum FilterCase : std::uint8_t {
   filter_lone_hole = 16,           ///< (e) a hole pixel with no neighbour
   filter_empty_column = 32,        ///< (f) an empty column one pixel wide
   filter_all = 63,
+  filter_standard = 255,  ///< the pipeline's own: all in the paper's, none in the others
 };
 
 /// Tunables of a detector. The defaults suit most pictures: change what the comment gives a reason for.
@@ -55,6 +63,12 @@ struct Options {
 
   /// Markers whose margin (see Marker::margin) is less are not reported.
   float min_margin = 0.05F;
+
+  /// Cases of the paper's Fig. 2 to mend before contours are followed. Fewer specks, less work; the
+  /// contour core needs none of them mended.
+  std::uint8_t filter = filter_standard;
+  /// Four keeps markers apart that touch at a corner, eight keeps thin slanted borders whole.
+  Connectivity connectivity = Connectivity::standard;
 
   /// Light-following threshold: the least difference of grey levels between black and white in a
   /// neighbourhood. It rises by itself with the noise of the rows already seen.

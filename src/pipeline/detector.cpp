@@ -52,6 +52,7 @@ std::string complaint(const Options& o) {
   if (o.corrected_bits < -1 || o.corrected_bits > 16)
     return outside("corrected_bits", o.corrected_bits, -1, 16);
   if (!(o.min_margin >= 0 && o.min_margin <= 0.5F)) return outside("min_margin", o.min_margin, 0.0, 0.5);
+  if (o.filter > filter_all && o.filter != filter_standard) return outside("filter", int{o.filter}, 0, 63);
   if (o.min_contrast < 1 || o.min_contrast > 255) return outside("min_contrast", o.min_contrast, 1, 255);
   if (o.fixed_threshold < 0 || o.fixed_threshold > 256) {
     return outside("fixed_threshold", o.fixed_threshold, 0, 256);

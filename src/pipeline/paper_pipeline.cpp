@@ -46,7 +46,8 @@ PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionar
     : options_(options),
       threshold_{options.fixed_threshold, options.above_is_dark},
       grey_(static_cast<std::size_t>(options.max_width)),
-      scan_(options.max_width, 65535, paper_limits(options), Connectivity::eight, filter_all) {
+      scan_(options.max_width, 65535, paper_limits(options),
+            or_own(options.connectivity, Connectivity::eight), or_own(options.filter, filter_all)) {
   for (const Dictionary& dictionary : dictionaries) {
     const int bits = options.corrected_bits < 0 ? dictionary.corrected_bits : options.corrected_bits;
     templates_.push_back({&dictionary, CodeLookup(whole_grid(dictionary), bits)});

@@ -7,6 +7,14 @@
 
 namespace runmark {
 
+/// What an option that leaves the choice to the pipeline comes to.
+[[nodiscard]] constexpr Connectivity or_own(Connectivity asked, Connectivity own) {
+  return asked == Connectivity::standard ? own : asked;
+}
+[[nodiscard]] constexpr std::uint8_t or_own(std::uint8_t filter, std::uint8_t own) {
+  return filter == filter_standard ? own : filter;
+}
+
 class FoundMarkers;
 
 /// The five cores put together in one way, fed a row at a time.

@@ -38,8 +38,10 @@ StandardPipeline::StandardPipeline(const Options& options, const std::vector<Dic
     limits.max_area = options.max_marker_size / scale * (options.max_marker_size / scale) * 1.2;
     limits.min_side = size / 3;
     chain_limits.min_height = static_cast<std::uint16_t>(size / 2);
-    scales_.push_back({Octave(width, records_for(width), chain_limits, Connectivity::four, filter_none),
-                       RowStore(width, rows_kept), limits});
+    scales_.push_back(
+        {Octave(width, records_for(width), chain_limits, or_own(options.connectivity, Connectivity::four),
+                or_own(options.filter, filter_none)),
+         RowStore(width, rows_kept), limits});
   }
   vertices_.resize(max_vertices(chain_limits));
   waiting_.reserve(most_waiting);

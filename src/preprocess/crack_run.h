@@ -18,7 +18,4 @@ struct CrackRun {
   friend constexpr bool operator==(const CrackRun&, const CrackRun&) = default;
 };
 
-/// Which dark pixels touch: eight also counts those that meet at a corner only.
-enum class Connectivity : std::uint8_t { four, eight };
-
 }  // namespace runmark

@@ -5,6 +5,7 @@
 
 #include "preprocess/bit_row.h"
 #include "preprocess/crack_run.h"
+#include "runmark/options.h"
 
 namespace runmark {
 
@@ -19,6 +20,7 @@ namespace runmark {
 /// a bottom run under 4-connectivity, else the one below; the right run takes the other. That choice
 /// alone is the connectivity of dark pixels.
 ///
+/// `connectivity` is four or eight.
 /// @param above, current  rows of bit_words(width) words
 /// @param runs            room for max_crack_runs(width)
 /// @return how many runs were written

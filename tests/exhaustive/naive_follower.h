@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pixel_image.h"
-#include "preprocess/crack_run.h"
+#include "runmark/options.h"
 
 namespace runmark {
 

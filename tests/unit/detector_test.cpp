@@ -121,6 +121,24 @@ TEST(Detector, OptionsOutOfRangeAreNamed) {
   EXPECT_FALSE(Detector::create({}, {})) << "no dictionary";
 }
 
+TEST(Detector, ConnectivityAndFilterByOption) {
+  // Two dark squares that meet at a corner: one contour or two.
+  test::Picture picture(64, 64, 220);
+  for (int i = 10; i < 30; ++i) {
+    for (int j = 10; j < 30; ++j) picture.at(i, j) = picture.at(i + 20, j + 20) = 20;
+  }
+  picture.at(50, 10) = 20;  // and a lone pixel
+  const auto contours = [&](Options options) {
+    options.pipeline = Pipeline::paper;
+    Detector detector = make(options, {dictionary("DICT_6X6_50")}, 64, 64);
+    EXPECT_EQ(detector.detect(picture.view()).status, Status::ok);
+    return detector.stats().closed_chains;
+  };
+  EXPECT_EQ(contours({.filter = filter_none, .connectivity = Connectivity::eight}), 2U);
+  EXPECT_EQ(contours({.filter = filter_none, .connectivity = Connectivity::four}), 3U);
+  EXPECT_EQ(contours({.filter = filter_lone_object, .connectivity = Connectivity::eight}), 1U);
+}
+
 TEST(Detector, FramesItCannotTakeAreErrorValues) {
   Detector detector = make({}, {dictionary("tag36h11")}, 64, 48);
   const test::Picture wide(65, 48, 0);

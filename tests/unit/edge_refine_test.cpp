@@ -28,7 +28,7 @@ TEST(RefineEdges, FindsTheEdgeFromAPixelAway) {
   for (const double degrees : {0.0, 7.0, 22.5, 43.0, 81.0}) {
     const auto truth = test::turned_square({60.25, 58.75}, 48, degrees);
     test::Picture picture(120, 120, 200);
-    const test::PlaneMap map(truth);
+    test::PlaneMap map(truth);
     picture.draw([&](double x, double y) {
       const Point uv = map(x, y);
       return uv.x > 0 && uv.y > 0 && uv.x < 1 && uv.y < 1 ? 40.0 : 200.0;

@@ -37,6 +37,26 @@ void add_region(CLI::App& command, Options& options) {
       ->type_name("X,Y,W,H");
 }
 
+void add_filter(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--filter",
+          [&options](const std::string& cases) {
+            options.filter = filter_none;
+            if (cases == "none") return;
+            for (const char letter : cases) {
+              if (letter < 'a' || letter > 'f') {
+                throw CLI::ValidationError("--filter",
+                                           "'" + cases + "' is neither none nor letters from a to f");
+              }
+              options.filter = static_cast<std::uint8_t>(options.filter | 1U << (letter - 'a'));
+            }
+          },
+          "Cases of the paper's Fig. 2 mended before contours are followed; without it abcdef in the paper "
+          "pipeline, none in the others")
+      ->type_name("none|abcdef");
+}
+
 }  // namespace
 
 void add_detector_options(CLI::App& command, DetectorSettings& settings) {
@@ -79,6 +99,15 @@ void add_detector_options(CLI::App& command, DetectorSettings& settings) {
       .add_option("--corner-offset", options.corner_offset,
                   "Paper pipeline: offset across the direction of travel that makes a corner, in pixels")
       ->capture_default_str();
+  const std::map<std::string, Connectivity> connectivities{{"4", Connectivity::four},
+                                                           {"8", Connectivity::eight}};
+  command
+      .add_option("--connectivity", options.connectivity,
+                  "Whether dark pixels that meet at a corner only touch (8) or not (4); without it 8 in the "
+                  "paper pipeline, 4 in the others")
+      ->transform(CLI::CheckedTransformer(connectivities).description(""))
+      ->type_name("4|8");
+  add_filter(command, options);
   add_region(command, options);
 }
 

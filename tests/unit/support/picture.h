@@ -71,39 +71,35 @@ inline std::array<Point, 4> turned_square(Point centre, double side, double degr
            {centre.x - c - s, centre.y - s + c}}};
 }
 
-/// Inverse of the map of the unit square to four corners, by solving the two linear equations at a point.
+/// Inverse of the map of the unit square to four corners.
 class PlaneMap {
  public:
-  explicit PlaneMap(const std::array<Point, 4>& corners) : corners_(corners) {}
+  explicit PlaneMap(const std::array<Point, 4>& corners) : forward_(corners, 1) {}
   /// Where the pixel point lies in the square (0 to 1 inside).
-  [[nodiscard]] Point operator()(double x, double y) const {
-    // Newton's method: the forward map is smooth and the start is the middle.
-    const Homography forward(corners_, 1);
-    double u = 0.5;
-    double v = 0.5;
-    for (int i = 0; i < 12; ++i) {
+  [[nodiscard]] Point operator()(double x, double y) {
+    // Newton's method from the last answer: points are asked for side by side.
+    if (!(std::fabs(last_.x) + std::fabs(last_.y) < 10)) last_ = {0.5, 0.5};
+    for (int i = 0; i < 20; ++i) {
       constexpr double h = 1e-5;
-      const Point p = forward(u, v);
-      const Point pu = forward(u + h, v);
-      const Point pv = forward(u, v + h);
+      const Point p = forward_(last_.x, last_.y);
+      const double ex = x - p.x;
+      const double ey = y - p.y;
+      if (std::fabs(ex) + std::fabs(ey) < 1e-7) break;
+      const Point pu = forward_(last_.x + h, last_.y);
+      const Point pv = forward_(last_.x, last_.y + h);
       const double a = (pu.x - p.x) / h;
       const double b = (pv.x - p.x) / h;
       const double c = (pu.y - p.y) / h;
       const double d = (pv.y - p.y) / h;
       const double det = a * d - b * c;
-      const double ex = x - p.x;
-      const double ey = y - p.y;
-      const double du = (d * ex - b * ey) / det;
-      const double dv = (a * ey - c * ex) / det;
-      u += du;
-      v += dv;
-      if (std::fabs(du) + std::fabs(dv) < 1e-9) break;
+      last_ = {last_.x + (d * ex - b * ey) / det, last_.y + (a * ey - c * ex) / det};
     }
-    return {u, v};
+    return last_;
   }
 
  private:
-  std::array<Point, 4> corners_;
+  Homography forward_;
+  Point last_{0.5, 0.5};
 };
 
 /// Draws a marker with one white cell of margin so that its square has these corners.
@@ -111,7 +107,7 @@ inline void draw_at(Picture& picture, const Dictionary& dictionary, std::size_t 
                     const std::array<Point, 4>& corners, bool inverted = false, double black = 30,
                     double white = 220) {
   const MarkerDrawing drawing = draw_marker(dictionary, id, 1, 1);
-  const PlaneMap map(corners);
+  PlaneMap map(corners);
   double left = corners[0].x;
   double right = left;
   double top = corners[0].y;
