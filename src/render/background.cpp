@@ -123,20 +123,23 @@ std::string add_wall(Scene& scene, Wall wall, Rng& rng,
     pose.along_u = width * pose.along_u;
     pose.along_v = (width * camera.height / camera.width) * pose.along_v;
     pose.origin = pose.at(-0.5, -0.5);
-    scene.surfaces.push_back({pose, {0, 0, 1, 1}, Photo{photo}, 1});
+    scene.surfaces.push_back({pose, {0, 0, 1, 1}, Photo{photo}, 1, false});
     return "photo";
   }
   const double tilt = radians(rng.chance(0.5) ? rng.uniform(0, 10) : rng.uniform(10, 45));
   const Stance stance{centre, wall_distance, tilt, rng.uniform(0, 2 * pi), rng.uniform(-0.1, 0.1)};
   scene.surfaces.push_back(
-      {stand(camera, stance, wall_distance, 0.5, 0.5), {-9, -9, 10, 10}, wall_texture(wall, rng), 1});
+      {stand(camera, stance, wall_distance, 0.5, 0.5), {-9, -9, 10, 10}, wall_texture(wall, rng), 1, false});
   // A floor or a table top, cut off by the wall.
   if (rng.chance(0.4)) {
     const double edge = rng.uniform(0.6, 0.95) * camera.height;
     const Stance floor{
         {centre.x, edge}, wall_distance, radians(rng.uniform(55, 75)), -pi / 2, rng.uniform(-0.1, 0.1)};
-    Surface surface{
-        stand(camera, floor, wall_distance, 0.5, 0), {-9, 0, 10, 2}, wall_texture(any_wall(rng), rng), 1};
+    Surface surface{stand(camera, floor, wall_distance, 0.5, 0),
+                    {-9, 0, 10, 2},
+                    wall_texture(any_wall(rng), rng),
+                    1,
+                    false};
     surface.shade = any_shade(rng, 0.5, 1);
     scene.surfaces.push_back(std::move(surface));
   }

@@ -3,6 +3,7 @@
 
 #include "dictionary/marker_grid.h"
 #include "render/background.h"
+#include "render/draw_light.h"
 #include "render/maths.h"
 #include "render/placement.h"
 #include "render/recipe.h"
@@ -34,6 +35,7 @@ class MarkerPlacer {
     const int tries = 300;
     const int id = next_id();
     Surface surface;
+    surface.paper = true;
     surface.texture = print(id);
     const auto& grid = std::get<MarkerPrint>(surface.texture).grid;
     const double margin = recipe_.margin.draw(rng_);
@@ -70,6 +72,7 @@ class MarkerPlacer {
     const Rectangle board{0, 0, columns * pitch, rows * pitch};
     const double rim = pitch * rng_.uniform(0, 0.3);
     Surface paper;
+    paper.paper = true;
     paper.extent = {-rim, -rim, board.right + rim, board.bottom + rim};
     paper.shade = static_cast<float>(rng_.uniform(0.75, 1));
     const float dark = recipe_.inverted ? first.white : first.black;
@@ -135,7 +138,7 @@ class MarkerPlacer {
     const double low = marker.grid.first;
     const double high = low + marker.grid.side;
     const double half = dictionary_.width / 2.0;
-    Surface surface{paper.pose, {low, low, high, high}, marker, paper.shade};
+    Surface surface{paper.pose, {low, low, high, high}, marker, paper.shade, true};
     surface.pose.origin = paper.pose.at(u - half, v - half);
     const Quad cells = scene_.camera.picture(surface.pose, surface.extent);
     const double right = recipe_.width - 1;
@@ -194,48 +197,6 @@ class MarkerPlacer {
   int last_id_ = 0;
 };
 
-Light draw_light(const Recipe& recipe, Rng& rng) {
-  Light light;
-  light.level = 1;
-  const double gradient = recipe.gradient.draw(rng);
-  const double direction = rng.uniform(0, 2 * pi);
-  light.slope_x = gradient * cosine(direction);
-  light.slope_y = gradient * sine(direction);
-  light.vignette = recipe.vignette.draw(rng);
-  const auto anywhere = [&] { return Point{rng.uniform(0, recipe.width), rng.uniform(0, recipe.height)}; };
-  for (int n = static_cast<int>(recipe.lamps.draw(rng)); n > 0; --n) {
-    light.lamps.push_back({anywhere(), rng.uniform(0.1, 0.6), recipe.width * rng.uniform(0.1, 0.5)});
-  }
-  for (int n = static_cast<int>(recipe.shadows.draw(rng)); n > 0; --n) {
-    Shadow s;
-    s.shape = static_cast<Shadow::Shape>(rng.below(4));
-    s.place = anywhere();
-    s.direction = rng.uniform(0, 2 * pi);
-    s.size = recipe.width * rng.uniform(0.02, 0.3);
-    // Hard ones from the sun, soft ones from lamps and windows.
-    s.softness = rng.chance(0.5) ? rng.uniform(0.7, 3) : recipe.width * rng.uniform(0.01, 0.1);
-    s.depth = rng.uniform(0.15, 0.6);
-    light.shadows.push_back(s);
-  }
-  return light;
-}
-
-// Scales the light to what the camera would have chosen.
-void expose_to(Light& light, double level, int width, int height) {
-  constexpr int columns = 16;
-  constexpr int rows = 12;
-  std::vector<double> sample;
-  for (int i = 0; i < columns * rows; ++i) {
-    sample.push_back(light.at({(i % columns + 0.5) * width / columns, (i / columns + 0.5) * height / rows},
-                              width, height));
-  }
-  const auto fourth_fifth = sample.begin() + columns * rows * 4 / 5;
-  std::nth_element(sample.begin(), fourth_fifth, sample.end());
-  const double factor = level / *fourth_fifth;
-  light.level *= factor;
-  for (Lamp& lamp : light.lamps) lamp.strength *= factor;
-}
-
 }  // namespace
 
 Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64_t seed, int index,
@@ -247,12 +208,12 @@ Scene make_scene(const Recipe& recipe, const Dictionary& dictionary, std::uint64
   scene.camera = {recipe.width, recipe.height, recipe.width * recipe.focal.draw(rng),
                   recipe.distortion.draw(rng)};
   scene.light = draw_light(recipe, rng);
-  expose_to(scene.light, recipe.level.draw(rng), recipe.width, recipe.height);
   scene.optics.defocus = rng.chance(0.4) ? Optics::Defocus::disc : Optics::Defocus::gaussian;
   scene.optics.blur = recipe.blur.draw(rng);
   scene.optics.motion = recipe.motion.draw(rng);
   scene.optics.motion_direction = rng.uniform(0, pi);
   scene.sensor = {recipe.noise.draw(rng), recipe.gamma, static_cast<int>(recipe.jpeg.draw(rng)), rng.next()};
+  scene.tints = scene.sensor.seed;
   scene.background = add_wall(scene, recipe.wall, rng, photos);
   add_clutter(scene, static_cast<int>(recipe.clutter.draw(rng)), rng);
   if (rng.chance(recipe.marker_free)) return scene;

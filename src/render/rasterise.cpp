@@ -84,9 +84,9 @@ class Painter {
 
  private:
   static constexpr bool exact = std::is_same_v<T, MarkerPrint>;
-  // No edges inside: four samples will do.
-  static constexpr bool smooth =
-      std::is_same_v<T, Gradient> || std::is_same_v<T, Noise> || std::is_same_v<T, Photo>;
+  // Hardly any edges inside: four samples will do.
+  static constexpr bool smooth = std::is_same_v<T, Gradient> || std::is_same_v<T, Noise> ||
+                                 std::is_same_v<T, Wood> || std::is_same_v<T, Photo>;
 
   [[nodiscard]] Vec3 on_plane(double x, double y) const {
     const Point p = camera_.undistort({x, y});

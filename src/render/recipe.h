@@ -57,7 +57,7 @@ struct Recipe {
   Sometimes lamps{0.25, {1, 2.99}};
   Sometimes shadows{0.5, {1, 3.99, 1.5}};
   Sometimes vignette{0.3, {0.05, 0.5}};
-  Sometimes distortion{0.4, {-0.15, 0.04}};
+  Sometimes distortion{0.25, {-0.1, 0.03, 0.5}};
   Range focal{0.75, 1.5};   ///< of the width
   Range blur{0.3, 2.5, 3};  ///< standard deviation, pixels
   Sometimes motion{0.2, {1, 8, 2}};

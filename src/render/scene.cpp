@@ -30,6 +30,21 @@ double tilt_of(const PlanePose& pose, double u, double v) {
   return std::ldexp(sum, doublings) * 180 / pi;
 }
 
+// Whether the camera sees any of the marker's square: a moving one may have left it behind.
+bool in_picture(const Scene& scene, const PlacedMarker& marker) {
+  const PlanePose& pose = scene.surfaces[marker.surface].pose;
+  const double width = marker.width;
+  for (const double u : {0.0, width}) {
+    for (const double v : {0.0, width}) {
+      if (pose.at(u, v).z <= 0) return false;
+    }
+  }
+  const double right = scene.camera.width - 1;
+  const double bottom = scene.camera.height - 1;
+  return overlap(scene.camera.picture(pose, {0, 0, width, width}),
+                 {Point{0, 0}, {right, 0}, {right, bottom}, {0, bottom}});
+}
+
 // Whether a later surface lies over any of the marker's cells.
 bool is_covered(const Scene& scene, const PlacedMarker& marker) {
   const Surface& surface = scene.surfaces[marker.surface];
@@ -80,7 +95,9 @@ FrameTruth truth_of(const Scene& scene) {
   t.height = scene.camera.height;
   t.dictionary = scene.dictionary;
   t.inverted = scene.inverted;
-  for (const PlacedMarker& marker : scene.markers) t.markers.push_back(marker_truth(scene, marker));
+  for (const PlacedMarker& marker : scene.markers) {
+    if (in_picture(scene, marker)) t.markers.push_back(marker_truth(scene, marker));
+  }
   t.background = scene.background;
   t.blur = scene.optics.blur;
   t.defocus = scene.optics.defocus == Optics::Defocus::disc ? "disc" : "gaussian";

@@ -32,6 +32,7 @@ struct Scene {
   Light light;
   Optics optics;
   Sensor sensor;
+  std::uint64_t tints = 0;  ///< seed of the colours
 };
 
 struct RenderedFrame {

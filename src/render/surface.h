@@ -10,7 +10,8 @@ struct Surface {
   PlanePose pose;
   Rectangle extent;  ///< in plane coordinates
   Texture texture;
-  float shade = 1;  ///< share of the light it gets by the way it faces
+  float shade = 1;     ///< share of the light it gets by the way it faces
+  bool paper = false;  ///< in colour pictures: nearly neutral
 };
 
 }  // namespace runmark::render
