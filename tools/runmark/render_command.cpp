@@ -208,8 +208,9 @@ void run(const RenderOptions& o) {
     }
   }
   write_text(o.output / "truth.json", render::truth_file(truth));
-  std::printf("%zu %s, %zu markers: %s\n", truth.size(), o.frames > 0 ? "frames" : "scenes", markers,
-              (o.output / "truth.json").c_str());
+  const std::string what = o.frames > 0 ? "frame" : "scene";
+  std::printf("%zu %s%s, %zu markers: %s\n", truth.size(), what.c_str(), truth.size() == 1 ? "" : "s",
+              markers, (o.output / "truth.json").c_str());
 }
 
 }  // namespace
