@@ -1,0 +1,276 @@
+// The paper's pattern core: an 8x8 grid built on the first edge of a quad (src/pattern/square_grid.h), the
+// pixel in the middle of each cell, and a search for the 36 inner cells in a dictionary at four rotations. The 28
+// cells round them must be black; those that are not count as wrong bits. Quads that are too small, too large or
+// not convex are put aside, by cross products with one serial multiplier, while the pixels are being read.
+module pattern #(
+    parameter XW = 10,
+    parameter YW = 9,
+    parameter CODES = 1024,
+    parameter IW = $clog2(CODES)
+) (
+    input  logic            clk,
+    input  logic            reset,
+    input  logic [  XW-1:0] last_x,
+    input  logic [  YW-1:0] last_y,
+    input  logic [     8:0] level,
+    input  logic            above_is_dark,
+    input  logic [XW+YW+1:0] min_area,      // of the quad, in half pixels
+    input  logic [XW+YW+1:0] max_area,
+    input  logic [     5:0] max_errors,    // wrong bits
+    input  logic [    IW:0] codes,         // in the dictionary
+    input  logic            write,         // a code: bit 35 is the top-left cell, row by row; 1 = white
+    input  logic [  IW-1:0] write_at,
+    input  logic [    35:0] write_code,
+
+    input  logic            quad_valid,
+    output logic            quad_ready,
+    input  logic [4*XW-1:0] quad_x,
+    input  logic [4*YW-1:0] quad_y,
+    input  logic [  YW-1:0] quad_bottom,
+    input  logic            quad_hole,
+    input  logic            quad_end,
+
+    output logic            read_valid,    // pixels to be read; answers come in the same order
+    input  logic            read_ready,
+    output logic [  XW-1:0] read_x,
+    output logic [  YW-1:0] read_y,
+    input  logic            grey_valid,
+    input  logic [     7:0] grey,
+
+    output logic            marker_valid,
+    input  logic            marker_ready,
+    output logic [4*XW-1:0] marker_x,      // cracks; top-left, top-right, bottom-right, bottom-left of the marker as drawn
+    output logic [4*YW-1:0] marker_y,
+    output logic [  YW-1:0] marker_bottom,
+    output logic            marker_hole,
+    output logic [  IW-1:0] marker_id,
+    output logic [     1:0] marker_rotation,
+    output logic [     5:0] marker_errors,
+    output logic            marker_end     // no marker: the frame's last has been handed on
+);
+  localparam W = (XW > YW ? XW : YW) + 1;  // of a signed difference
+  localparam PW = W + 6;                   // of a grid point in sixteenths
+
+  localparam [2:0] IDLE = 3'd0, SET = 3'd1, READ = 3'd2, WAIT = 3'd3, MATCH = 3'd4, EMIT = 3'd5;
+  logic [2:0] state;
+
+  // The corners, clockwise; they turn with the code.
+  logic [XW-1:0] x[0:3];
+  logic [YW-1:0] y[0:3];
+  logic turn;
+  assign marker_x = {x[3], x[2], x[1], x[0]};
+  assign marker_y = {y[3], y[2], y[1], y[0]};
+
+  function automatic signed [W-1:0] minus_x(input [XW-1:0] p, input [XW-1:0] q);
+    minus_x = $signed({{(W - XW) {1'b0}}, p}) - $signed({{(W - XW) {1'b0}}, q});
+  endfunction
+  function automatic signed [W-1:0] minus_y(input [YW-1:0] p, input [YW-1:0] q);
+    minus_y = $signed({{(W - YW) {1'b0}}, p}) - $signed({{(W - YW) {1'b0}}, q});
+  endfunction
+
+  // The shape: four cross products of neighbouring sides, the corners turning once round, then the area.
+  logic shape_busy, shape_good;
+  logic [2:0] shape_step;
+  logic second_factor;
+  logic [$clog2(W + 1)-1:0] shape_bit;
+  logic signed [2*W:0] product, factor;
+  logic [W-1:0] multiplier;
+  wire area_step = shape_step[2];
+  wire signed [W-1:0] factor_1 = second_factor ? minus_y(area_step ? y[2] : y[1], y[0]) : minus_x(area_step ? x[2] : x[1], x[0]);
+  wire signed [W-1:0] factor_2 = second_factor ? (area_step ? minus_x(x[3], x[1]) : minus_x(x[2], x[0]))
+                                               : (area_step ? minus_y(y[3], y[1]) : minus_y(y[2], y[0]));
+  wire shape_load = shape_bit == '0;
+  wire shape_sum = shape_bit == ($clog2(W + 1))'(W);
+  wire shape_last = shape_sum && second_factor;
+  // Two's complement: the top bit of the multiplier weighs negative.
+  wire subtract = second_factor != shape_sum;
+  wire signed [2*W:0] added = multiplier[0] ? factor : '0;
+  wire signed [2*W:0] new_product = subtract ? product - added : product + added;
+  wire shape_turn = shape_busy && shape_last && !area_step;
+
+  // The grid.
+  logic signed [W-1:0] u_x, u_y;
+  logic signed [PW-1:0] row_x, row_y, cell_x, cell_y;
+  logic [2:0] column, row;
+  wire signed [PW-1:0] wide_u_x = PW'(u_x);
+  wire signed [PW-1:0] wide_u_y = PW'(u_y);
+  wire signed [PW-1:0] two_u_x = wide_u_x <<< 1;
+  wire signed [PW-1:0] two_u_y = wide_u_y <<< 1;
+  wire outside = cell_x[PW-1] || cell_y[PW-1] || cell_x[PW-2:4] > {{(PW - 5 - XW) {1'b0}}, last_x}
+              || cell_y[PW-2:4] > {{(PW - 5 - YW) {1'b0}}, last_y};
+  // The square may reach a little below the rows that have come in.
+  wire [YW:0] lowest = {1'b0, marker_bottom} + 1'b1;
+  logic reading;
+  assign read_valid = reading && !outside;
+  assign read_x = cell_x[XW+3:4];
+  assign read_y = {1'b0, cell_y[YW+3:4]} > lowest ? lowest[YW-1:0] : cell_y[YW+3:4];
+
+  // The answers.
+  logic [6:0] asked, answered;
+  logic missed;
+  logic [35:0] code;
+  logic [4:0] border_errors;
+  wire white = (({1'b0, grey} >= level) == above_is_dark) == marker_hole;
+  wire in_border = answered[2:0] == 3'd0 || answered[2:0] == 3'd7 || answered[5:3] == 3'd0 || answered[5:3] == 3'd7;
+
+  // The search: a code a clock, its wrong bits three clocks later.
+  logic [35:0] dictionary[0:CODES-1];
+  logic [35:0] entry, different;
+  logic [IW:0] search_at;
+  logic [2:0] searching;  // the codes on their way
+  logic [6:0] errors;
+  wire search_more = state == MATCH && search_at != codes;
+  wire hit = searching[2] && errors <= {1'b0, max_errors};
+  function automatic [2:0] ones(input [5:0] b);
+    ones = {2'b0, b[0]} + {2'b0, b[1]} + {2'b0, b[2]} + {2'b0, b[3]} + {2'b0, b[4]} + {2'b0, b[5]};
+  endfunction
+  logic [6:0] code_errors;
+  always_comb begin
+    code_errors = {2'b0, border_errors};
+    for (int i = 0; i < 6; i++) code_errors = code_errors + {4'b0, ones(different[6*i+:6])};
+  end
+  logic [35:0] turned;  // the code, a quarter turn back
+  always_comb begin
+    for (int r = 0; r < 6; r++) for (int c = 0; c < 6; c++) turned[35-(6*r+c)] = code[35-(6*c+5-r)];
+  end
+  // How far search_at is past the code whose errors stand in `errors`: it stops at the last.
+  wire [IW:0] hit_distance = (IW + 1)'(1) + {{IW{1'b0}}, searching[0]} + {{IW{1'b0}}, searching[1]};
+  wire search_over = state == MATCH && !search_more && searching == '0;
+  wire next_rotation = search_over && marker_rotation != 2'd3;
+  assign turn = shape_turn || next_rotation;
+
+  always_ff @(posedge clk) begin
+    if (write) dictionary[write_at] <= write_code;
+    entry <= dictionary[search_at[IW-1:0]];
+  end
+
+  assign quad_ready = state == IDLE;
+  assign marker_valid = state == EMIT;
+
+  integer i;
+  always_ff @(posedge clk) begin
+    if (state == IDLE) begin
+      for (i = 0; i < 4; i = i + 1) begin  // a hole is followed the other way round
+        x[i] <= quad_hole ? quad_x[XW*(3-i)+:XW] : quad_x[XW*i+:XW];
+        y[i] <= quad_hole ? quad_y[YW*(3-i)+:YW] : quad_y[YW*i+:YW];
+      end
+    end else if (turn) begin
+      for (i = 0; i < 4; i = i + 1) begin
+        x[i] <= x[(i+1)%4];
+        y[i] <= y[(i+1)%4];
+      end
+    end
+
+    if (state == IDLE) begin
+      marker_bottom <= quad_bottom;
+      marker_hole <= quad_hole;
+      marker_end <= quad_end;
+      shape_step <= '0;
+      shape_bit <= '0;
+      second_factor <= 1'b0;
+      shape_good <= 1'b1;
+    end else if (shape_busy) begin
+      multiplier <= shape_load ? factor_2 : {1'b0, multiplier[W-1:1]};
+      factor <= shape_load ? (2 * W + 1)'(factor_1) : factor <<< 1;
+      if (shape_load) product <= second_factor ? product : '0;
+      else product <= new_product;
+      shape_bit <= shape_sum ? '0 : shape_bit + 1'b1;
+      if (shape_sum) second_factor <= !second_factor;
+      if (shape_last) begin
+        shape_step <= shape_step + 1'b1;
+        if (area_step) begin
+          if (new_product[2*W] || new_product[XW+YW+1:0] < min_area || new_product[XW+YW+1:0] > max_area)
+            shape_good <= 1'b0;
+        end else if (new_product[2*W] || new_product == '0) begin
+          shape_good <= 1'b0;
+        end
+      end
+    end
+    shape_busy <= (shape_busy && !(shape_last && area_step)) || (state == IDLE && quad_valid && !quad_end);
+
+    case (state)
+      IDLE: if (quad_valid) state <= quad_end ? EMIT : SET;
+      SET: begin
+        // Cell (0, 0): 16 a + u + v, with v = (-u_y, u_x).
+        u_x <= minus_x(x[1], x[0]);
+        u_y <= minus_y(y[1], y[0]);
+        state <= READ;
+      end
+      READ: state <= WAIT;
+      WAIT: if (answered == asked && !reading && !shape_busy) state <= missed || !shape_good ? IDLE : MATCH;
+      MATCH: begin
+        if (hit) state <= EMIT;
+        else if (search_over && marker_rotation == 2'd3) state <= IDLE;
+      end
+      default: if (marker_ready) state <= IDLE;
+    endcase
+
+    if (state == SET) begin
+      column <= '0;
+      row <= '0;
+      asked <= '0;
+      answered <= '0;
+      missed <= 1'b0;
+      border_errors <= '0;
+      marker_rotation <= '0;
+      // The corners may turn before the state is READ: the first is kept here.
+      cell_x <= PW'($signed({1'b0, x[0], 4'b0}));
+      cell_y <= PW'($signed({1'b0, y[0], 4'b0}));
+    end
+    if (state == READ) begin
+      cell_x <= cell_x + wide_u_x - wide_u_y;
+      cell_y <= cell_y + wide_u_y + wide_u_x;
+      row_x <= cell_x + wide_u_x - wide_u_y;
+      row_y <= cell_y + wide_u_y + wide_u_x;
+      reading <= 1'b1;
+    end else if (reading) begin
+      if (outside) begin
+        missed <= 1'b1;
+        reading <= 1'b0;
+      end else if (read_ready) begin
+        asked <= asked + 1'b1;
+        column <= column + 1'b1;
+        if (column == 3'd7) begin
+          row <= row + 1'b1;
+          reading <= row != 3'd7;
+          cell_x <= row_x - two_u_y;
+          cell_y <= row_y + two_u_x;
+          row_x <= row_x - two_u_y;
+          row_y <= row_y + two_u_x;
+        end else begin
+          cell_x <= cell_x + two_u_x;
+          cell_y <= cell_y + two_u_y;
+        end
+      end
+    end
+    if (grey_valid) begin
+      answered <= answered + 1'b1;
+      if (in_border) border_errors <= border_errors + {4'b0, white};
+      else code <= {code[34:0], white};
+    end
+
+    // The search.
+    different <= entry ^ code;
+    errors <= code_errors;
+    searching <= {searching[1:0], search_more} & {3{state == MATCH && !hit}};
+    if (state != MATCH) search_at <= '0;
+    else if (search_more) search_at <= search_at + 1'b1;
+    if (next_rotation) begin
+      search_at <= '0;
+      code <= turned;
+      marker_rotation <= marker_rotation + 1'b1;
+    end
+    if (hit) begin
+      marker_id <= IW'(search_at - hit_distance);
+      marker_errors <= errors[5:0];
+    end
+
+    if (reset) begin
+      state <= IDLE;
+      shape_busy <= 1'b0;
+      reading <= 1'b0;
+      searching <= '0;
+    end
+  end
+
+endmodule
