@@ -51,7 +51,7 @@ class PlaneFit {
 }  // namespace
 
 std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& cells, int width,
-                                    bool light_inside) {
+                                    bool light_inside, int one_in) {
   constexpr int most_side = 16;
   constexpr double least_contrast = 8;
   std::array<double, 4 * most_side> inside_grey{};
@@ -97,7 +97,7 @@ std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& ce
     const double half = (model.inside.at(in[0], in[1]) + model.outside.at(in[0], in[1])) / 2;
     wrong += sign * (half - inside_grey[static_cast<std::size_t>(k)]) <= 0 ? 1 : 0;
   }
-  if (wrong > ring / 10) return std::nullopt;
+  if (wrong > ring / one_in) return std::nullopt;
   return model;
 }
 

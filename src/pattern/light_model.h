@@ -22,9 +22,9 @@ struct LightModel {
   GreyPlane outside;
 };
 
-/// Samples both rings of a marker `width` cells wide. Nothing when the ring inside is not, nearly
-/// everywhere, on its side of the middle level: then the quadrilateral is no marker's border.
+/// Samples both rings of a marker `width` cells wide. Nothing when more than one in `one_in` cells of the
+/// ring inside is not on its side of the middle level: then the quadrilateral is no marker's border.
 [[nodiscard]] std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& cells, int width,
-                                                  bool light_inside);
+                                                  bool light_inside, int one_in);
 
 }  // namespace runmark

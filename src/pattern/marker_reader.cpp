@@ -46,6 +46,13 @@ std::size_t MarkerReader::memory() const {
   return bytes;
 }
 
+bool MarkerReader::has_border(const GreyFrame& frame, const Quad& quad) const {
+  return std::any_of(layouts_.begin(), layouts_.end(), [&](const Layout& layout) {
+    return fits(layout, quad) &&
+           fit_light(frame, Homography(quad.corners, layout.width), layout.width, quad.light_inside, 4);
+  });
+}
+
 int MarkerReader::lowest_row(const Quad& quad) const {
   double lowest = -1;
   for (const Layout& layout : layouts_) {
@@ -120,7 +127,7 @@ std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& qua
     if (!fits(layout, quad)) continue;
     const bool reversed = layout.border == Border::reversed;
     const Homography place(quad.corners, layout.width);
-    const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside);
+    const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside, 10);
     if (!light) continue;
     Reading reading = sample(frame, place, *light, layout);
     if (reading.margin < limits_.min_margin) continue;

@@ -30,6 +30,9 @@ class MarkerReader {
   /// The marker with the fewest corrected bits among all dictionaries, then the one asked for first.
   [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
 
+  /// Whether a quadrilateral may have a marker's border: a quick look before its edges are refined.
+  [[nodiscard]] bool has_border(const GreyFrame& frame, const Quad& quad) const;
+
   /// The lowest row that reading this quadrilateral may look at because of data cells below the square; -1
   /// when all cells lie inside it.
   [[nodiscard]] int lowest_row(const Quad& quad) const;

@@ -3,9 +3,12 @@
 namespace runmark {
 
 void halve_rows(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* half) {
+  const std::uint8_t* __restrict a = upper;
+  const std::uint8_t* __restrict b = lower;
+  std::uint8_t* __restrict out = half;
   for (int x = 0; x < width; ++x) {
-    half[x] = static_cast<std::uint8_t>(
-        (upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1] + 2) / 4);
+    const auto sum = static_cast<std::uint16_t>(a[2 * x] + a[2 * x + 1] + b[2 * x] + b[2 * x + 1] + 2);
+    out[x] = static_cast<std::uint8_t>(sum / 4);
   }
 }
 

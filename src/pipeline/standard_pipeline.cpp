@@ -116,7 +116,7 @@ void StandardPipeline::consider(std::size_t level, const ClosedChain& chain, con
 
 void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& frame, FoundMarkers& found,
                             FrameStats& stats) const {
-  if (found.has(quad.corners)) return;
+  if (found.has(quad.corners) || !reader_.has_border(frame, quad)) return;
   std::optional<Marker> marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
   if (!marker) return;
   marker->row = frame.height - 1;

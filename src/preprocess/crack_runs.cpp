@@ -16,6 +16,12 @@ std::size_t find_crack_runs(const BitWord* above, const BitWord* current, int wi
   BitWord above_carry = 0;
 
   for (std::size_t w = 0; w < words; ++w) {
+    if (above[w] == current[w] && !inside) {
+      above_carry = above[w] >> (bits_per_word - 1);
+      top_carry = 0;
+      bottom_carry = 0;
+      continue;
+    }
     const BitWord top = current[w] & ~above[w];
     const BitWord bottom = above[w] & ~current[w];
     const BitWord top_ends = top ^ ((top << 1) | top_carry);
