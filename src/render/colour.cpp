@@ -1,6 +1,7 @@
 #include "render/colour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "render/rasterise.h"
@@ -36,8 +37,8 @@ std::vector<std::uint8_t> colourise(const Scene& scene, const RenderedFrame& fra
   std::vector<std::uint8_t> bgr(3 * frame.grey.size());
   for (std::size_t i = 0; i < frame.grey.size(); ++i) {
     const auto grey = static_cast<float>(frame.grey[i]);
-    const int r = std::clamp(static_cast<int>(grey * red.values[i] + 0.5F), 0, 255);
-    const int b = std::clamp(static_cast<int>(grey * blue.values[i] + 0.5F), 0, 255);
+    const int r = std::clamp(static_cast<int>(std::lround(grey * red.values[i])), 0, 255);
+    const int b = std::clamp(static_cast<int>(std::lround(grey * blue.values[i])), 0, 255);
     // Green makes up for both, so that the grey is right.
     const int g = std::clamp((256 * frame.grey[i] - 77 * r - 29 * b + 75) / 150, 0, 255);
     bgr[3 * i] = static_cast<std::uint8_t>(b);

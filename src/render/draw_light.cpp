@@ -1,6 +1,7 @@
 #include "render/draw_light.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "render/maths.h"
@@ -14,11 +15,12 @@ void expose_to(Light& light, double level, int width, int height) {
   constexpr int columns = 16;
   constexpr int rows = 12;
   std::vector<double> sample;
-  for (int i = 0; i < columns * rows; ++i) {
-    sample.push_back(light.at({(i % columns + 0.5) * width / columns, (i / columns + 0.5) * height / rows},
-                              width, height));
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      sample.push_back(light.at({(i + 0.5) * width / columns, (j + 0.5) * height / rows}, width, height));
+    }
   }
-  const auto fourth_fifth = sample.begin() + columns * rows * 4 / 5;
+  const auto fourth_fifth = sample.begin() + std::ptrdiff_t{columns} * rows * 4 / 5;
   std::nth_element(sample.begin(), fourth_fifth, sample.end());
   const double factor = level / *fourth_fifth;
   light.level *= factor;

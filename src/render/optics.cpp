@@ -67,10 +67,12 @@ std::vector<Tap> disc(double radius) {
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
       int count = 0;
-      for (int i = 0; i < 64; ++i) {
-        const double dx = x + (i % 8 + 0.5) / 8 - 0.5;
-        const double dy = y + (i / 8 + 0.5) / 8 - 0.5;
-        if (dx * dx + dy * dy <= radius * radius) ++count;
+      for (int j = 0; j < 8; ++j) {
+        for (int i = 0; i < 8; ++i) {
+          const double dx = x + (i + 0.5) / 8 - 0.5;
+          const double dy = y + (j + 0.5) / 8 - 0.5;
+          if (dx * dx + dy * dy <= radius * radius) ++count;
+        }
       }
       if (count > 0) taps.push_back({x, y, static_cast<float>(count)});
     }
