@@ -44,13 +44,16 @@ class MarkerPlacer {
     surface.extent = {low, low, high, high};
     surface.shade = static_cast<float>(rng_.uniform(0.75, 1));
     const double width = dictionary_.width;
+    const double first = grid.first;
+    const Rectangle grid_extent{first, first, first + grid.side, first + grid.side};
     for (int i = 0; i < tries; ++i) {
       const Stance stance = any_stance(somewhere(size, where));
       surface.pose = stand_to_size(scene_.camera, stance, size, {0, 0, width, width});
       const Quad square = scene_.camera.picture(surface.pose, {0, 0, width, width});
       const Quad paper = scene_.camera.picture(surface.pose, surface.extent);
       if (std::abs(area(square) - size * size) > 0.02 * size * size || !taken_.is_free(paper)) continue;
-      const bool inside = within(square, recipe_.width, recipe_.height, 2);
+      const Quad cells = scene_.camera.picture(surface.pose, grid_extent);
+      const bool inside = within(cells, recipe_.width, recipe_.height, 2);
       if (inside != (where == Place::inside)) continue;
       taken_.take(paper);
       scene_.surfaces.push_back(surface);

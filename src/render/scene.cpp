@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/maths.h"
+#include "render/placement.h"
 #include "render/rasterise.h"
 
 namespace runmark::render {
@@ -45,13 +46,18 @@ bool in_picture(const Scene& scene, const PlacedMarker& marker) {
                  {Point{0, 0}, {right, 0}, {right, bottom}, {0, bottom}});
 }
 
-// Whether a later surface lies over any of the marker's cells.
-bool is_covered(const Scene& scene, const PlacedMarker& marker) {
+// The picture of all of a marker's cells, those outside the square included.
+Quad cells_of(const Scene& scene, const PlacedMarker& marker) {
   const Surface& surface = scene.surfaces[marker.surface];
   const MarkerGrid& grid = std::get<MarkerPrint>(surface.texture).grid;
   const double low = grid.first + 1e-6;
   const double high = grid.first + grid.side - 1e-6;
-  const Quad cells = scene.camera.picture(surface.pose, {low, low, high, high});
+  return scene.camera.picture(surface.pose, {low, low, high, high});
+}
+
+// Whether a later surface lies over any of the marker's cells.
+bool is_covered(const Scene& scene, const PlacedMarker& marker) {
+  const Quad cells = cells_of(scene, marker);
   const auto later = scene.surfaces.begin() + static_cast<std::ptrdiff_t>(marker.surface) + 1;
   return std::any_of(later, scene.surfaces.end(), [&](const Surface& s) {
     return overlap(cells, scene.camera.picture(s.pose, s.extent));
@@ -72,7 +78,6 @@ MarkerTruth marker_truth(const Scene& scene, const PlacedMarker& marker) {
     const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
     t.side += length / 4;
     shortest = std::min(shortest, length);
-    t.cut = t.cut || a.x < 1 || a.y < 1 || a.x > scene.camera.width - 2 || a.y > scene.camera.height - 2;
   }
   t.size = std::sqrt(std::abs(area(t.corners)));
   t.cell = shortest / width;
@@ -83,6 +88,7 @@ MarkerTruth marker_truth(const Scene& scene, const PlacedMarker& marker) {
   const Point middle = scene.camera.picture(surface.pose, width / 2, width / 2);
   t.contrast = 255 * static_cast<double>((print.white - print.black) * surface.shade) *
                scene.light.at(middle, scene.camera.width, scene.camera.height);
+  t.cut = !within(cells_of(scene, marker), scene.camera.width, scene.camera.height, 1);
   t.occluded = is_covered(scene, marker);
   return t;
 }

@@ -20,7 +20,7 @@ struct MarkerTruth {
   double margin = 0;      ///< paper of its own round the cells, in cells
   double contrast = 0;    ///< white minus black at its centre, grey levels before the tone curve
   bool occluded = false;  ///< something lies over some of its cells
-  bool cut = false;       ///< a corner lies outside the picture or within a pixel of its edge
+  bool cut = false;       ///< one of its cells reaches to within a pixel of the picture's edge or beyond
   /// Neither required nor wrong when it is reported.
   [[nodiscard]] bool optional() const { return occluded || cut; }
 };
