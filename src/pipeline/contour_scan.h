@@ -14,18 +14,25 @@
 
 namespace runmark {
 
+/// What a pipeline tells the preprocess and contour cores.
+struct ContourRules {
+  std::uint8_t filter_cases = filter_none;
+  Connectivity connectivity = Connectivity::four;
+  ChainLimits chains;
+  std::size_t records = 65535;  ///< crack runs alive at once
+};
+
 /// Bit rows in, closed chains out: the preprocess and contour cores over one stream of rows.
 class ContourScan {
  public:
-  ContourScan(int max_width, std::size_t records, const ChainLimits& limits, Connectivity connectivity,
-              std::uint8_t filter_cases)
-      : connectivity_(connectivity),
-        filter_cases_(filter_cases),
-        records_(records),
+  ContourScan(int max_width, const ContourRules& rules)
+      : connectivity_(rules.connectivity),
+        filter_cases_(rules.filter_cases),
+        records_(rules.records),
         ends_(max_chain_ends(max_width)),
         end_at_(static_cast<std::size_t>(max_width) + 1),
         runs_(max_crack_runs(max_width)),
-        linker_(records_, ends_, end_at_, limits) {
+        linker_(records_, ends_, end_at_, rules.chains) {
     for (auto& row : raw_) row.resize(bit_words(max_width));
     for (auto& row : clean_) row.resize(bit_words(max_width));
   }

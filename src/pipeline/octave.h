@@ -13,9 +13,7 @@ namespace runmark {
 /// followed when the band of tiles below it is complete.
 class Octave {
  public:
-  Octave(int max_width, std::size_t records, const ChainLimits& limits, Connectivity connectivity,
-         std::uint8_t filter_cases)
-      : threshold_(max_width), scan_(max_width, records, limits, connectivity, filter_cases) {}
+  Octave(int max_width, const ContourRules& rules) : threshold_(max_width), scan_(max_width, rules) {}
 
   void begin_frame(int width, int height, const TileRule& rule) {
     width_ = width;

@@ -12,13 +12,6 @@ namespace {
 
 constexpr int data_side = grid_side - 2;
 
-ChainLimits paper_limits(const Options& options) {
-  ChainLimits limits;
-  limits.holes = options.inverted;
-  limits.min_height = static_cast<std::uint16_t>(options.min_marker_size / 2);
-  return limits;
-}
-
 /// The codes as templates of the whole 8x8 grid: the black border is 0.
 Dictionary whole_grid(const Dictionary& dictionary) {
   Dictionary grid = dictionary;
@@ -46,12 +39,21 @@ PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionar
     : options_(options),
       threshold_{options.fixed_threshold, options.above_is_dark},
       grey_(static_cast<std::size_t>(options.max_width)),
-      scan_(options.max_width, 65535, paper_limits(options),
-            or_own(options.connectivity, Connectivity::eight), or_own(options.filter, filter_all)) {
+      scan_(options.max_width, contour_rules(options)) {
   for (const Dictionary& dictionary : dictionaries) {
     const int bits = options.corrected_bits < 0 ? dictionary.corrected_bits : options.corrected_bits;
     templates_.push_back({&dictionary, CodeLookup(whole_grid(dictionary), bits)});
   }
+}
+
+ContourRules PaperPipeline::contour_rules(const Options& options) {
+  ContourRules rules;
+  rules.filter_cases = or_own(options.filter, filter_all);
+  rules.connectivity = or_own(options.connectivity, Connectivity::eight);
+  rules.chains.holes = options.inverted;
+  rules.chains.min_height = static_cast<std::uint16_t>(options.min_marker_size / 2);
+  rules.records = 65535;
+  return rules;
 }
 
 bool PaperPipeline::can_read(const Dictionary& dictionary) {

@@ -19,6 +19,9 @@ class PaperPipeline final : public FramePipeline {
   /// 8x8 cells.
   [[nodiscard]] static bool can_read(const Dictionary& dictionary);
 
+  /// What the preprocess and contour cores are told.
+  [[nodiscard]] static ContourRules contour_rules(const Options& options);
+
   void begin_frame(int width, int height) override;
   void push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) override;
   void end_frame(FrameStats& stats) override;

@@ -6,44 +6,25 @@
 #include "pattern/edge_refine.h"
 #include "pipeline/found_markers.h"
 #include "pipeline/halve.h"
+#include "pipeline/scale_rules.h"
 
 namespace runmark {
 namespace {
 
-constexpr int least_side = 16;             // pixels of a scale worth looking at
 constexpr int rows_kept = 9;               // two bands of tiles and the row being made
 constexpr std::size_t most_waiting = 256;  // quadrilaterals; further ones are read at once
-constexpr double coarse_size = 14;  // least marker size at a half scale: smaller ones show at full size
-
-// At full size the level lies a little towards white, so that thin dark borders hold together; at the half
-// sizes towards black, so that markers that touch at a corner, where blur makes a mid-grey saddle, part.
-constexpr int full_size_share = 9;
-constexpr int half_size_share = 6;
-
-std::size_t records_for(int width) { return static_cast<std::size_t>(std::clamp(8 * width, 4096, 65535)); }
 
 }  // namespace
 
 StandardPipeline::StandardPipeline(const Options& options, const std::vector<Dictionary>& dictionaries)
     : options_(options),
       reader_(dictionaries, {options.corrected_bits, options.min_margin, options.inverted}) {
-  ChainLimits chain_limits;
-  chain_limits.holes = reader_.reads(true);
   for (int level = 0; level <= options.octaves; ++level) {
     const int width = std::max(options.max_width >> level, 1);
-    const double scale = std::ldexp(1.0, level);
-    const double size = std::max(options.min_marker_size / scale, level == 0 ? 0.0 : coarse_size);
-    QuadLimits limits;
-    limits.min_area = size * size * 0.8;  // the threshold may shrink a small square
-    limits.max_area = options.max_marker_size / scale * (options.max_marker_size / scale) * 1.2;
-    limits.min_side = size / 3;
-    chain_limits.min_height = static_cast<std::uint16_t>(size / 2);
-    scales_.push_back(
-        {Octave(width, records_for(width), chain_limits, or_own(options.connectivity, Connectivity::four),
-                or_own(options.filter, filter_none)),
-         RowStore(width, rows_kept), limits});
+    const ScaleRules rules = scale_rules(options, level, reader_.reads(true));
+    scales_.push_back({Octave(width, rules.contours), RowStore(width, rows_kept), rules.tiles, rules.quads});
+    vertices_.resize(max_vertices(rules.contours.chains));
   }
-  vertices_.resize(max_vertices(chain_limits));
   waiting_.reserve(most_waiting);
 }
 
@@ -52,9 +33,8 @@ void StandardPipeline::begin_frame(int width, int height) {
   waiting_.clear();
   scales_used_ = 0;
   for (Scale& scale : scales_) {
-    if (scales_used_ > 0 && std::min(width, height) < least_side) break;
-    const int share = scales_used_ == 0 ? full_size_share : half_size_share;
-    scale.octave.begin_frame(width, height, {options_.min_contrast, share});
+    if (!scale_is_used(static_cast<int>(scales_used_), width, height)) break;
+    scale.octave.begin_frame(width, height, scale.tiles);
     ++scales_used_;
     width /= 2;
     height /= 2;

@@ -25,6 +25,7 @@ class StandardPipeline final : public FramePipeline {
   struct Scale {
     Octave octave;
     RowStore rows;  // grey rows of this scale; of the frame itself only where it must be converted
+    TileRule tiles;
     QuadLimits limits;
   };
   void push_scaled(std::size_t level, const std::uint8_t* grey, int y, const GreyFrame& frame,
