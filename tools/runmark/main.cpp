@@ -8,6 +8,7 @@
 #include "library_messages.h"
 #include "render_command.h"
 #include "runmark/version.h"
+#include "stages_command.h"
 
 namespace runmark::cli {
 namespace {
@@ -16,6 +17,7 @@ void add_commands(CLI::App& app) {
   add_detect_command(app);
   add_dictionaries_command(app);
   add_render_command(app);
+  add_stages_command(app);
 }
 
 int run(int argc, char** argv) {
