@@ -1,0 +1,39 @@
+#include "evaluate/observations.h"
+
+#include <fstream>
+
+#include "evaluate/json_fields.h"
+
+namespace runmark {
+
+Result<Observations> read_observations(const std::filesystem::path& file) {
+  using nlohmann::json;
+  std::ifstream stream(file);
+  if (!stream) return Error{file.string() + ": cannot be read"};
+  Observations all;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const std::string where = file.string() + ":" + std::to_string(number) + ": ";
+    try {
+      const json object = json::parse(line);
+      const std::string image = text_member(object, "image");
+      ImageObservations found;
+      for (const json& marker : list_member(object, "markers")) {
+        found.markers.push_back({whole_number(member(marker, "id"), "id"), corners_member(marker)});
+      }
+      if (const auto ms = object.find("ms"); ms != object.end() && ms->is_number()) {
+        found.milliseconds = ms->get<double>();
+      }
+      if (!all.emplace(image, std::move(found)).second) return Error{where + image + " comes twice"};
+    } catch (const FieldError& e) {
+      return Error{where + e.what()};
+    } catch (const json::exception& e) {
+      return Error{where + e.what()};
+    }
+  }
+  if (stream.bad()) return Error{file.string() + ": cannot be read to its end"};
+  return all;
+}
+
+}  // namespace runmark
