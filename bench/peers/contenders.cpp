@@ -4,11 +4,13 @@
 #include "peers/apriltag_reader.h"
 #include "peers/opencv_reader.h"
 #include "peers/reader.h"
+#include "peers/runmark_reader.h"
 
 namespace runmark::bench {
 namespace {
 
 constexpr std::array all{
+    Contender{"runmark", make_runmark_reader},
     Contender{"opencv", [](const Task& task) { return make_opencv_reader(task, Refinement::none); }},
     Contender{"opencv-subpix", [](const Task& task) { return make_opencv_reader(task, Refinement::sub_pixel); }},
     Contender{"apriltag-1", [](const Task& task) { return make_apriltag_reader(task, 1); }},

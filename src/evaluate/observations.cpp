@@ -6,6 +6,12 @@
 
 namespace runmark {
 
+std::vector<Observation> observations_of(const Detection& detection) {
+  std::vector<Observation> found;
+  for (const Marker& marker : detection) found.push_back({marker.id, marker.corners});
+  return found;
+}
+
 Result<Observations> read_observations(const std::filesystem::path& file) {
   using nlohmann::json;
   std::ifstream stream(file);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluate/corners.h"
+#include "runmark/detector.h"
 #include "runmark/result.h"
 
 namespace runmark {
@@ -16,6 +17,8 @@ struct Observation {
   int id = -1;
   Corners corners{};
 };
+
+[[nodiscard]] std::vector<Observation> observations_of(const Detection& detection);
 
 /// What a detector reported for one image, and how long it took.
 struct ImageObservations {
