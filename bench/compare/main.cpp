@@ -46,14 +46,16 @@ int compare(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace runmark::bench;
-  CLI::App app("Runs runmark and its peers on the same images and shows them side by side", "runmark-compare");
+  CLI::App app("Runs runmark and its peers on the same images and shows them side by side",
+               "runmark-compare");
   Arguments arguments;
   std::vector<std::string> names;
   for (const Contender& contender : contenders()) names.emplace_back(contender.name);
   app.add_option("truth", arguments.truth, "truth.json of the images")->required()->check(CLI::ExistingFile);
   app.add_option("--images", arguments.images, "folder of the images")->check(CLI::ExistingDirectory);
   app.add_option("--detectors", arguments.detectors, "which ones; default: all")
-      ->delimiter(',')->check(CLI::IsMember(names));
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
   app.add_option("--rounds", arguments.rounds, "how often; times are medians")->check(CLI::Range(1, 1000));
   app.add_option("--detections", arguments.detections, "folder to write each detector's detections to")
       ->check(CLI::ExistingDirectory);

@@ -6,9 +6,7 @@ namespace runmark::bench {
 namespace {
 
 // The cell that a quarter turn clockwise brings there.
-Cell turned(Cell cell, int width) {
-  return {static_cast<std::int8_t>(width - 1 - cell.y), cell.x};
-}
+Cell turned(Cell cell, int width) { return {static_cast<std::int8_t>(width - 1 - cell.y), cell.x}; }
 
 // Indices of the cells, one from each set of four that are turns of each other, then their turns, then
 // the middle cell if there is one.

@@ -40,8 +40,7 @@ class AprilTagReader : public Reader {
       auto family = AprilTagFamily::make(ours);
       if (!family) continue;
       families_.push_back(std::move(*family));
-      apriltag_detector_add_family_bits(detector_.get(), families_.back().family(),
-                                        bits_to_correct(ours));
+      apriltag_detector_add_family_bits(detector_.get(), families_.back().family(), bits_to_correct(ours));
     }
   }
 
@@ -49,7 +48,8 @@ class AprilTagReader : public Reader {
     if (inverted_) cv::bitwise_not(grey, negative_);
     const cv::Mat& image = inverted_ ? negative_ : grey;
     // The detector only reads the pixels.
-    image_u8_t view{image.cols, image.rows, static_cast<int>(image.step), const_cast<std::uint8_t*>(image.data)};
+    image_u8_t view{image.cols, image.rows, static_cast<int>(image.step),
+                    const_cast<std::uint8_t*>(image.data)};
     const std::unique_ptr<zarray_t, DestroyDetections> detections(
         apriltag_detector_detect(detector_.get(), &view));
     std::vector<Observation> found;

@@ -12,7 +12,8 @@ namespace {
 constexpr std::array all{
     Contender{"runmark", make_runmark_reader},
     Contender{"opencv", [](const Task& task) { return make_opencv_reader(task, Refinement::none); }},
-    Contender{"opencv-subpix", [](const Task& task) { return make_opencv_reader(task, Refinement::sub_pixel); }},
+    Contender{"opencv-subpix",
+              [](const Task& task) { return make_opencv_reader(task, Refinement::sub_pixel); }},
     Contender{"apriltag-1", [](const Task& task) { return make_apriltag_reader(task, 1); }},
     Contender{"apriltag-2", [](const Task& task) { return make_apriltag_reader(task, 2); }},
 };

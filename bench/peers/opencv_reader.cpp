@@ -72,7 +72,8 @@ std::optional<Codes> codes_of(const Dictionary& ours) {
 
 class OpenCvReader : public Reader {
  public:
-  OpenCvReader(const Task& task, Refinement refinement) : parameters_(cv::aruco::DetectorParameters::create()) {
+  OpenCvReader(const Task& task, Refinement refinement)
+      : parameters_(cv::aruco::DetectorParameters::create()) {
     cv::setNumThreads(1);
     parameters_->detectInvertedMarker = task.inverted;
     if (refinement == Refinement::sub_pixel) {

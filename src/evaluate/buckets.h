@@ -38,6 +38,6 @@ class Buckets {
 };
 
 /// By size of a marker in pixels, the square root of its area.
-inline const Buckets size_buckets{12, 16, 20, 24, 32, 48, 64, 100, 200};
+inline const Buckets size_buckets{8, 12, 16, 24, 32, 48, 64, 100, 200};
 
 }  // namespace runmark

@@ -24,8 +24,7 @@ using Corners = std::array<Point, 4>;
 
 /// The square root of the quadrilateral's area: what this project calls the size of a marker.
 [[nodiscard]] inline double marker_size(const Corners& c) {
-  const double twice =
-      (c[2].x - c[0].x) * (c[3].y - c[1].y) - (c[3].x - c[1].x) * (c[2].y - c[0].y);
+  const double twice = (c[2].x - c[0].x) * (c[3].y - c[1].y) - (c[3].x - c[1].x) * (c[2].y - c[0].y);
   return std::sqrt(std::abs(twice) / 2);
 }
 

@@ -14,8 +14,8 @@ namespace runmark {
 struct MarkerMatch {
   enum class Outcome : std::uint8_t { missed, found, bad_corner };
   Outcome outcome = Outcome::missed;
-  int observation = -1;  ///< index of the report that belongs to it
-  int rotation = 0;      ///< quarter turns from the report's corner order to the truth's; 0 is right
+  int observation = -1;          ///< index of the report that belongs to it
+  int rotation = 0;              ///< quarter turns from the report's corner order to the truth's; 0 is right
   std::array<Point, 4> error{};  ///< reported minus true corner, in the truth's order
   [[nodiscard]] bool found() const { return outcome == Outcome::found; }
 };

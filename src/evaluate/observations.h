@@ -22,8 +22,8 @@ struct Observation {
 
 /// What a detector reported for one image, and how long it took.
 struct ImageObservations {
-  std::vector<Observation> markers;
-  std::optional<double> milliseconds;
+  std::vector<Observation> markers{};
+  std::optional<double> milliseconds{};
 };
 
 /// By image.

@@ -19,10 +19,14 @@ std::string print(const char* format, Values... values) {
 }
 
 nlohmann::json to_json(const Tally& tally) {
-  nlohmann::json object{{"truth", tally.truth},           {"found", tally.found},
-                        {"recall", tally.recall()},       {"bad_corners", tally.bad_corners},
-                        {"rotated", tally.rotated},       {"false_alarms", tally.false_alarms},
-                        {"extra", tally.extra},           {"duplicates", tally.duplicates},
+  nlohmann::json object{{"truth", tally.truth},
+                        {"found", tally.found},
+                        {"recall", tally.recall()},
+                        {"bad_corners", tally.bad_corners},
+                        {"rotated", tally.rotated},
+                        {"false_alarms", tally.false_alarms},
+                        {"extra", tally.extra},
+                        {"duplicates", tally.duplicates},
                         {"corners", tally.corners.count()}};
   if (tally.corners.count() == 0) return object;
   const Point bias = tally.corners.bias();
@@ -52,12 +56,13 @@ std::string quoted(const std::string& text) {
 }
 
 void write_csv_row(std::ostream& out, const std::string& group, const std::string& bucket, const Tally& t) {
-  out << group << ',' << quoted(bucket) << ',' << t.truth << ',' << t.found << ',' << print("%.4f", t.recall())
-      << ',' << t.bad_corners << ',' << t.rotated << ',' << t.false_alarms << ',' << t.extra << ','
-      << t.duplicates << ',';
+  out << group << ',' << quoted(bucket) << ',' << t.truth << ',' << t.found << ','
+      << print("%.4f", t.recall()) << ',' << t.bad_corners << ',' << t.rotated << ',' << t.false_alarms << ','
+      << t.extra << ',' << t.duplicates << ',';
   if (t.corners.count() != 0) {
     out << print("%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", t.corners.rms(), t.corners.percentile(0.5),
-                 t.corners.percentile(0.95), t.corners.bias().x, t.corners.bias().y, t.corners.outward_bias());
+                 t.corners.percentile(0.95), t.corners.bias().x, t.corners.bias().y,
+                 t.corners.outward_bias());
   } else {
     out << ",,,,,";
   }
@@ -72,9 +77,9 @@ void write_text(std::ostream& out, const Scores& scores) {
       << print("recall %.4f (%d/%d)  false %d  extra %d  bad corner %d  rotated %d  duplicate or maybe %d\n",
                t.recall(), t.found, t.truth, t.false_alarms, t.extra, t.bad_corners, t.rotated, t.duplicates);
   if (t.corners.count() != 0) {
-    out << print("corner error, %zu corners: median %.3f  p90 %.3f  p95 %.3f  rms %.3f px\n", t.corners.count(),
-                 t.corners.percentile(0.5), t.corners.percentile(0.9), t.corners.percentile(0.95),
-                 t.corners.rms())
+    out << print("corner error, %zu corners: median %.3f  p90 %.3f  p95 %.3f  rms %.3f px\n",
+                 t.corners.count(), t.corners.percentile(0.5), t.corners.percentile(0.9),
+                 t.corners.percentile(0.95), t.corners.rms())
         << print("corner bias: x %+.3f  y %+.3f  outward %+.3f px\n", t.corners.bias().x, t.corners.bias().y,
                  t.corners.outward_bias());
   }
@@ -83,11 +88,11 @@ void write_text(std::ostream& out, const Scores& scores) {
                  percentile(ms, 0.95), ms.back());
   }
   for (const Breakdown& breakdown : scores.breakdowns) {
-    out << print("\n%-44s %7s %9s %6s %5s %7s %6s\n", breakdown.name.c_str(), "recall", "found", "false", "bad",
-                 "rotated", "rms");
+    out << print("\n%-60s %7s %9s %6s %5s %7s %6s\n", breakdown.name.c_str(), "recall", "found", "false",
+                 "bad", "rotated", "rms");
     for (const auto& [label, row] : breakdown.rows) {
       const std::string rms = row.corners.count() == 0 ? "" : print("%.3f", row.corners.rms());
-      out << print("  %-42s %7s %4d/%-4d %6d %5d %7d %6s\n", label.c_str(),
+      out << print("  %-58s %7s %4d/%-4d %6d %5d %7d %6s\n", label.c_str(),
                    row.truth == 0 ? "" : print("%.3f", row.recall()).c_str(), row.found, row.truth,
                    row.false_alarms, row.bad_corners, row.rotated, rms.c_str());
     }

@@ -35,8 +35,10 @@ class Split {
 // Sizes of the project, and sides as the real photos' own scoring script splits them.
 const Buckets side_buckets{20, 40, 100};
 const Buckets tilt_buckets{15, 30, 45, 60};
-const Buckets blur_buckets{0.5, 1, 1.5, 2, 3};
-const Buckets noise_buckets{2, 5, 10, 20};
+const Buckets blur_buckets{0.5, 1, 1.5, 2};
+const Buckets motion_buckets{1, 2, 4, 6};
+const Buckets noise_buckets{1, 2, 4, 6};
+const Buckets contrast_buckets{30, 60, 100, 150};
 
 class Scorer {
  public:
@@ -53,7 +55,8 @@ class Scorer {
   }
 
   Scores finish() && {
-    for (Split* split : {&size_, &side_, &tilt_, &blur_, &noise_, &dictionary_, &source_}) {
+    for (Split* split :
+         {&size_, &side_, &tilt_, &blur_, &motion_, &noise_, &contrast_, &dictionary_, &source_}) {
       if (!split->empty()) scores_.breakdowns.push_back(std::move(*split).finish());
     }
     std::ranges::sort(scores_.milliseconds);
@@ -68,7 +71,9 @@ class Scorer {
     count(side_.row(side_buckets, mean_side(marker.corners)));
     if (marker.tilt) count(tilt_.row(tilt_buckets, *marker.tilt));
     if (marker.blur) count(blur_.row(blur_buckets, *marker.blur));
+    if (marker.motion) count(motion_.row(motion_buckets, *marker.motion));
     if (marker.noise) count(noise_.row(noise_buckets, *marker.noise));
+    if (marker.contrast) count(contrast_.row(contrast_buckets, *marker.contrast));
     count(dictionary_.row(dictionary_of(image)));
     if (!image.source.empty()) count(source_.row(image.source));
     using enum Mistake::Kind;
@@ -92,7 +97,9 @@ class Scorer {
   Split side_{"side"};
   Split tilt_{"tilt"};
   Split blur_{"blur"};
+  Split motion_{"motion"};
   Split noise_{"noise"};
+  Split contrast_{"contrast"};
   Split dictionary_{"dictionary"};
   Split source_{"source"};
 };
@@ -101,10 +108,14 @@ class Scorer {
 
 std::string_view name_of(Mistake::Kind kind) {
   switch (kind) {
-    case Mistake::Kind::missed: return "missed";
-    case Mistake::Kind::bad_corner: return "bad corner";
-    case Mistake::Kind::rotated: return "rotated";
-    case Mistake::Kind::false_alarm: return "false alarm";
+    case Mistake::Kind::missed:
+      return "missed";
+    case Mistake::Kind::bad_corner:
+      return "bad corner";
+    case Mistake::Kind::rotated:
+      return "rotated";
+    case Mistake::Kind::false_alarm:
+      return "false alarm";
   }
   return "";
 }

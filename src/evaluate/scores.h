@@ -12,7 +12,7 @@ namespace runmark {
 
 /// One way to split the markers: by size, by dictionary and so on.
 struct Breakdown {
-  std::string name;
+  std::string name{};
   std::vector<std::pair<std::string, Tally>> rows;  ///< in the order of the buckets; none is empty
 };
 
@@ -20,7 +20,7 @@ struct Breakdown {
 struct Mistake {
   enum class Kind : std::uint8_t { missed, bad_corner, rotated, false_alarm };
   Kind kind = Kind::missed;
-  std::string image;
+  std::string image{};
   int id = -1;
   Corners corners{};  ///< of the truth, or of the false report
 };
@@ -29,9 +29,9 @@ struct Mistake {
 struct Scores {
   std::size_t images = 0;
   Tally total;
-  std::vector<Breakdown> breakdowns;
-  std::vector<Mistake> mistakes;
-  std::vector<double> milliseconds;  ///< of each image whose time is known, sorted
+  std::vector<Breakdown> breakdowns{};
+  std::vector<Mistake> mistakes{};
+  std::vector<double> milliseconds{};  ///< of each image whose time is known, sorted
 };
 
 [[nodiscard]] std::string_view name_of(Mistake::Kind kind);

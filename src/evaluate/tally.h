@@ -36,7 +36,7 @@ struct Tally {
   int false_alarms = 0;
   int extra = 0;
   int duplicates = 0;
-  CornerErrors corners;  ///< of the found ones whose truth is exact
+  CornerErrors corners{};  ///< of the found ones whose truth is exact
 
   void add(const TruthMarker& marker, const MarkerMatch& match);
   void add(ReportKind report);

@@ -27,21 +27,19 @@ bool flag(const json& object, const char* name) {
 // Corners of real photos were measured by other detectors; only where two of them agreed can an error be
 // told from theirs. A renderer knows its corners.
 bool corners_are_exact(const std::string& evidence, bool rendered) {
-  return evidence == "rendered" || evidence == "exact" || (evidence == "both" && !rendered);
+  return evidence == "rendered" || (evidence == "both" && !rendered);
 }
 
-TruthMarker read_marker(const json& object, const json& image, bool rendered) {
+TruthMarker read_marker(const json& object, bool rendered) {
   TruthMarker marker;
   marker.id = whole_number(member(object, "id"), "id");
   marker.corners = corners_member(object);
   marker.exact_corners = corners_are_exact(object.value("truth", std::string()), rendered);
-  const auto condition = [&](const char* name) {
-    const std::optional<double> own = optional_number(object, name);
-    return own ? own : optional_number(image, name);
-  };
-  marker.tilt = condition("tilt");
-  marker.blur = condition("blur");
-  marker.noise = condition("noise");
+  marker.tilt = optional_number(object, "tilt");
+  marker.blur = optional_number(object, "blur");
+  marker.motion = optional_number(object, "motion");
+  marker.noise = optional_number(object, "noise");
+  marker.contrast = optional_number(object, "contrast");
   return marker;
 }
 
@@ -55,11 +53,11 @@ TruthImage read_image(const json& object) {
   image.rendered = flag(object, "rendered");
   image.source = object.contains("source") ? text_member(object, "source") : "";
   for (const json& marker : list_member(object, "markers")) {
-    image.markers.push_back(read_marker(marker, object, image.rendered));
+    image.markers.push_back(read_marker(marker, image.rendered));
   }
   if (object.contains("maybe")) {
     for (const json& marker : list_member(object, "maybe")) {
-      image.maybe.push_back(read_marker(marker, object, image.rendered));
+      image.maybe.push_back(read_marker(marker, image.rendered));
     }
   }
   for (const json& id : list_member(object, "present_ids")) {

@@ -5,6 +5,7 @@
 #include "detect_command.h"
 #include "dictionaries_command.h"
 #include "errors.h"
+#include "evaluate_command.h"
 #include "library_messages.h"
 #include "render_command.h"
 #include "runmark/version.h"
@@ -16,6 +17,7 @@ namespace {
 void add_commands(CLI::App& app) {
   add_detect_command(app);
   add_dictionaries_command(app);
+  add_evaluate_command(app);
   add_render_command(app);
   add_stages_command(app);
 }
