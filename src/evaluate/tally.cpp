@@ -14,6 +14,13 @@ void CornerErrors::add(Point error, double outward) {
   outward_ += outward;
 }
 
+void CornerErrors::add(const CornerErrors& more) {
+  lengths_.insert(lengths_.end(), more.lengths_.begin(), more.lengths_.end());
+  sum_.x += more.sum_.x;
+  sum_.y += more.sum_.y;
+  outward_ += more.outward_;
+}
+
 double CornerErrors::rms() const {
   if (lengths_.empty()) return 0;
   double squares = 0;

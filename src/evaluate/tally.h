@@ -12,6 +12,8 @@ class CornerErrors {
   /// @param outward  part of the error that points away from the marker's centre
   void add(Point error, double outward);
 
+  void add(const CornerErrors& more);
+
   [[nodiscard]] std::size_t count() const { return lengths_.size(); }
   [[nodiscard]] double rms() const;
   /// The length that this share of the corners stays below; 0 without any.

@@ -1,20 +1,22 @@
 #include "evaluate_command.h"
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <map>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 
+#include "detector_settings.h"
 #include "errors.h"
 #include "evaluate/report.h"
 #include "evaluate/truth_folder.h"
-#include "runmark/detector.h"
+#include "fitting_detector.h"
+#include "frame_source.h"
+#include "output_file.h"
+#include "progress.h"
 
 namespace runmark::cli {
 namespace {
@@ -25,60 +27,48 @@ struct Arguments {
   fs::path truth;
   fs::path images;
   fs::path detections;
-  std::string pipeline = "default";
+  DetectorSettings settings;
   std::string format = "text";
 };
-
-Pipeline pipeline_of(const std::string& name) {
-  if (name == "paper") return Pipeline::paper;
-  return name == "hardware" ? Pipeline::hardware : Pipeline::standard;
-}
 
 // Detectors for the images of a truth file: one for each dictionary and polarity, made when first needed.
 class Detectors {
  public:
-  Detectors(const std::vector<TruthImage>& truth, const TruthFolder& folder, Pipeline pipeline)
-      : folder_(folder) {
-    options_.pipeline = pipeline;
-    options_.max_width = 1;
-    options_.max_height = 1;
-    for (const TruthImage& image : truth) {
-      options_.max_width = std::max(options_.max_width, image.width);
-      options_.max_height = std::max(options_.max_height, image.height);
-    }
-  }
+  Detectors(const TruthFolder& folder, const DetectorSettings& settings)
+      : folder_(folder), settings_(settings) {}
 
-  Detector& of(const TruthImage& image) {
+  FittingDetector& of(const TruthImage& image) {
     const std::pair key(image.dictionary.value_or(""), image.inverted);
     if (const auto made = detectors_.find(key); made != detectors_.end()) return made->second;
-    Options options = options_;
-    options.inverted = image.inverted;
-    auto detector = Detector::create(options, value_or_throw(folder_.dictionaries(image)));
-    return detectors_.emplace(key, value_or_throw(std::move(detector), image.image)).first->second;
+    Options options = settings_.options;
+    options.inverted = options.inverted || image.inverted;
+    auto dictionaries = settings_.dictionary_names.empty() ? value_or_throw(folder_.dictionaries(image))
+                                                           : load_dictionaries(settings_);
+    return detectors_.try_emplace(key, options, std::move(dictionaries)).first->second;
   }
 
  private:
   const TruthFolder& folder_;
-  Options options_;
-  std::map<std::pair<std::string, bool>, Detector> detectors_;
+  const DetectorSettings& settings_;
+  std::map<std::pair<std::string, bool>, FittingDetector> detectors_;
 };
 
-Observations detect_all(const std::vector<TruthImage>& truth, const TruthFolder& folder, Pipeline pipeline) {
-  Detectors detectors(truth, folder, pipeline);
+Observations detect_all(const std::vector<TruthImage>& truth, const TruthFolder& folder,
+                        const DetectorSettings& settings) {
+  Detectors detectors(folder, settings);
   Observations all;
+  Progress progress;
   for (const TruthImage& image : truth) {
     const std::string file = folder.image(image).string();
-    const cv::Mat grey = cv::imread(file, cv::IMREAD_GRAYSCALE);
-    if (grey.empty()) throw UserError(file + ": cannot be read as an image");
-    Detector& detector = detectors.of(image);
-    const auto view =
-        ImageView::grey(grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0]));
+    const auto frame = open_source({InputKind::image, file})->next();
+    if (!frame) throw UserError(file + ": holds no picture");
+    FittingDetector& detector = detectors.of(image);
     const auto start = std::chrono::steady_clock::now();
-    const Detection detection = detector.detect(view);
+    const Detection detection = detector.detect(*frame);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-    if (detection.status != Status::ok)
-      throw UserError(file + ": " + std::string(describe(detection.status)));
     all[image.image] = {observations_of(detection), taken.count()};
+    progress.update(static_cast<std::int64_t>(all.size()),
+                    static_cast<double>(all.size()) / static_cast<double>(truth.size()));
   }
   return all;
 }
@@ -101,7 +91,7 @@ Observations read_all(const fs::path& file, const std::vector<TruthImage>& truth
     throw UserError(file.string() + ": none of its images is in the truth");
   }
   if (strangers != 0) {
-    std::cerr << "runmark: " << file.string() << ": " << strangers << " of its images are not in the truth\n";
+    print_error(file.string() + ": " + std::to_string(strangers) + " of its images are not in the truth");
   }
   return all;
 }
@@ -109,14 +99,16 @@ Observations read_all(const fs::path& file, const std::vector<TruthImage>& truth
 void evaluate(const Arguments& arguments) {
   const std::vector<TruthImage> truth = value_or_throw(read_truth(arguments.truth));
   const TruthFolder folder(arguments.truth, arguments.images);
-  const Observations seen = arguments.detections.empty()
-                                ? detect_all(truth, folder, pipeline_of(arguments.pipeline))
-                                : read_all(arguments.detections, truth);
+  const Observations seen = arguments.detections.empty() ? detect_all(truth, folder, arguments.settings)
+                                                         : read_all(arguments.detections, truth);
   const Scores scores = score(truth, seen);
-  if (arguments.format == "json") write_json(std::cout, scores);
-  if (arguments.format == "csv") write_csv(std::cout, scores);
-  if (arguments.format == "text") write_text(std::cout, scores);
-  if (!std::cout.flush()) throw UserError("standard output: cannot be written");
+  std::ostringstream report;
+  if (arguments.format == "json") write_json(report, scores);
+  if (arguments.format == "csv") write_csv(report, scores);
+  if (arguments.format == "text") write_text(report, scores);
+  OutputFile output;
+  output.write(report.str());
+  output.close();
 }
 
 }  // namespace
@@ -124,18 +116,18 @@ void evaluate(const Arguments& arguments) {
 void add_evaluate_command(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("evaluate", "Scores detections against known truth");
-  command->add_option("truth", arguments->truth, "Truth file (truth.json)")->required();
-  auto* detections = command->add_option("--detections", arguments->detections,
-                                         "Score this file (one JSON object a line, as detect --format jsonl "
-                                         "prints) instead of detecting in the images");
-  command->add_option("--images", arguments->images, "Folder of the images; default: where the truth file is")
-      ->check(CLI::ExistingDirectory)
-      ->excludes(detections);
-  command->add_option("--pipeline", arguments->pipeline, "paper, hardware or default")
-      ->check(CLI::IsMember({"paper", "hardware", "default"}))
-      ->excludes(detections);
-  command->add_option("--format", arguments->format, "text, json or csv")
+  command->add_option("TRUTH", arguments->truth, "Truth file of the images, see docs/evaluation.md")
+      ->required();
+  command->add_option(
+      "--detections", arguments->detections,
+      "Score this file, as detect --format jsonl writes it, instead of detecting in the images");
+  command
+      ->add_option("--images", arguments->images, "Folder of the images; without it, beside the truth file")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--format", arguments->format, "How to print the result")
       ->check(CLI::IsMember({"text", "json", "csv"}));
+  add_detector_options(*command, arguments->settings);
+  command->get_option("--dict")->description("Look for this dictionary instead of each image's own");
   command->callback([arguments] { evaluate(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-#include "compare/run.h"
+#include "side_by_side/run.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <iostream>
 
-#include "compare/run.h"
 #include "evaluate/report.h"
+#include "side_by_side/page.h"
+#include "side_by_side/run.h"
 
 namespace runmark::bench {
 namespace {
@@ -11,6 +13,7 @@ struct Arguments {
   std::filesystem::path truth;
   std::filesystem::path images;
   std::filesystem::path detections;
+  std::filesystem::path page;
   std::vector<std::string> detectors;
   int rounds = 1;
 };
@@ -32,12 +35,19 @@ int compare(const Arguments& arguments) {
   const auto runs = run_contenders(chosen, *truth, folder, arguments.rounds, [](std::size_t) {});
   if (!runs) return fail(runs.error());
   for (const Run& run : *runs) {
-    std::cout << "== " << run.name << '\n';
-    write_text(std::cout, score(*truth, run.observations));
+    if (arguments.page.empty()) {
+      std::cout << "== " << run.name << '\n';
+      write_text(std::cout, score(*truth, run.observations));
+    }
     if (arguments.detections.empty()) continue;
     const auto file = arguments.detections / (run.name + ".jsonl");
     if (!write_observations(file, run.observations)) return fail(file.string() + ": cannot be written");
   }
+  if (arguments.page.empty()) return 0;
+  std::ofstream page(arguments.page);
+  page << comparison_page("runmark and its peers on " + arguments.truth.string(), *truth, folder, *runs);
+  if (!page.flush()) return fail(arguments.page.string() + ": cannot be written");
+  std::cout << arguments.page.string() << '\n';
   return 0;
 }
 
@@ -53,6 +63,7 @@ int main(int argc, char** argv) {
   for (const Contender& contender : contenders()) names.emplace_back(contender.name);
   app.add_option("truth", arguments.truth, "truth.json of the images")->required()->check(CLI::ExistingFile);
   app.add_option("--images", arguments.images, "folder of the images")->check(CLI::ExistingDirectory);
+  app.add_option("-o,--output", arguments.page, "HTML page to write; without it, tables on standard output");
   app.add_option("--detectors", arguments.detectors, "which ones; default: all")
       ->delimiter(',')
       ->check(CLI::IsMember(names));

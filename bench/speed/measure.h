@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "speed/frames.h"
+
+namespace runmark::bench {
+
+/// CPU time of one worker on the frames of a set, each frame's median over the rounds, in milliseconds.
+struct Timing {
+  std::string worker;
+  std::vector<double> milliseconds;  ///< a frame each, sorted
+  [[nodiscard]] double median() const;
+  [[nodiscard]] double p95() const;
+  [[nodiscard]] double worst() const;
+};
+
+/// Every worker takes its turn on a frame, `rounds` times, after one turn that does not count.
+[[nodiscard]] std::vector<Timing> measure(const FrameSet& set, int rounds);
+
+/// The timing of that worker.
+[[nodiscard]] const Timing& timing_of(const std::vector<Timing>& timings, const std::string& worker);
+
+}  // namespace runmark::bench

@@ -1,0 +1,50 @@
+#include "speed/workers.h"
+
+#include <cstring>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+
+#include "peers/reader.h"
+
+namespace runmark::bench {
+namespace {
+
+Worker reader(const char* name, const TimedFrame& frame) {
+  const Task task{frame.dictionaries, frame.inverted, frame.grey.size()};
+  std::shared_ptr<Reader> made = find_contender(name)->make(task);
+  return {name, 1, [made, &frame] { static_cast<void>(made->read(frame.grey)); }};
+}
+
+// The usual first step of OpenCV's detectors: a window of 23 pixels, 7 below the local mean.
+cv::Mat binary(const cv::Mat& grey) {
+  cv::Mat result;
+  cv::adaptiveThreshold(grey, result, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, 23, 7);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Worker> workers_for(const TimedFrame& frame) {
+  std::vector<Worker> workers;
+  for (const char* name : {"runmark", "opencv-subpix", "apriltag-1", "apriltag-2"}) {
+    workers.push_back(reader(name, frame));
+  }
+  auto to = std::make_shared<cv::Mat>(frame.grey.size(), CV_8UC1, cv::Scalar(0));
+  const cv::Mat grey = frame.grey.clone();  // one block of memory, whatever the frame is
+  const std::size_t bytes = grey.total();
+  workers.push_back({"copy", 8, [to, grey, bytes] { std::memcpy(to->data, grey.data, bytes); }});
+  workers.push_back({"threshold", 1, [to, grey] { cv::threshold(grey, *to, 128, 255, cv::THRESH_BINARY); }});
+  workers.push_back({"adaptiveThreshold", 1, [grey] { static_cast<void>(binary(grey)); }});
+  const cv::Mat mask = binary(grey);
+  workers.push_back({"connectedComponents", 1, [mask] {
+                       cv::Mat labels;
+                       cv::connectedComponents(mask, labels);
+                     }});
+  workers.push_back({"findContours", 1, [mask] {
+                       std::vector<std::vector<cv::Point>> contours;
+                       cv::findContours(mask, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+                     }});
+  return workers;
+}
+
+}  // namespace runmark::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "speed/frames.h"
+
+namespace runmark::bench {
+
+/// Something to be timed on one frame.
+struct Worker {
+  std::string name;
+  int repeats = 1;  ///< calls in one measurement, so that the clock's own cost does not show
+  std::function<void()> work;
+};
+
+/// For one frame: runmark, OpenCV's ArUco (sub-pixel), AprilTag 3 (decimate 1 and 2), then the floor and
+/// OpenCV's building blocks of a detector: a copy of the frame (in cache), threshold, adaptiveThreshold,
+/// connectedComponents, findContours. The frame must outlive them.
+[[nodiscard]] std::vector<Worker> workers_for(const TimedFrame& frame);
+
+}  // namespace runmark::bench
