@@ -1,4 +1,4 @@
-#include "peers/apriltag_family.h"
+#include "bench/peers/apriltag_family.h"
 
 #include <algorithm>
 

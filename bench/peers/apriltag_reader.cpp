@@ -1,9 +1,9 @@
-#include "peers/apriltag_reader.h"
+#include "bench/peers/apriltag_reader.h"
 
 #include <algorithm>
 #include <list>
 
-#include "peers/apriltag_family.h"
+#include "bench/peers/apriltag_family.h"
 
 namespace runmark::bench {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "peers/reader.h"
+#include "bench/peers/reader.h"
 
 namespace runmark::bench {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 
-#include "peers/apriltag_reader.h"
-#include "peers/opencv_reader.h"
-#include "peers/reader.h"
-#include "peers/runmark_reader.h"
+#include "bench/peers/apriltag_reader.h"
+#include "bench/peers/opencv_reader.h"
+#include "bench/peers/reader.h"
+#include "bench/peers/runmark_reader.h"
 
 namespace runmark::bench {
 namespace {

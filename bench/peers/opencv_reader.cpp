@@ -1,4 +1,4 @@
-#include "peers/opencv_reader.h"
+#include "bench/peers/opencv_reader.h"
 
 #include <array>
 #include <opencv2/aruco.hpp>

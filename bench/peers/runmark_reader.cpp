@@ -1,4 +1,4 @@
-#include "peers/runmark_reader.h"
+#include "bench/peers/runmark_reader.h"
 
 #include <stdexcept>
 

@@ -2,9 +2,9 @@
 #include <fstream>
 #include <iostream>
 
+#include "bench/side_by_side/page.h"
+#include "bench/side_by_side/run.h"
 #include "evaluate/report.h"
-#include "side_by_side/page.h"
-#include "side_by_side/run.h"
 
 namespace runmark::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "side_by_side/page.h"
+#include "bench/side_by_side/page.h"
 
 #include <algorithm>
 #include <array>
@@ -6,12 +6,12 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "bench/side_by_side/shared_markers.h"
+#include "bench/side_by_side/svg_chart.h"
+#include "bench/side_by_side/thumbnail.h"
 #include "evaluate/buckets.h"
 #include "evaluate/percentile.h"
 #include "evaluate/scores.h"
-#include "side_by_side/shared_markers.h"
-#include "side_by_side/svg_chart.h"
-#include "side_by_side/thumbnail.h"
 
 namespace runmark::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "side_by_side/run.h"
+#include "bench/side_by_side/run.h"
 
 namespace runmark::bench {
 

@@ -1,4 +1,4 @@
-#include "side_by_side/run.h"
+#include "bench/side_by_side/run.h"
 
 #include <algorithm>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "cpu_clock.h"
+#include "bench/cpu_clock.h"
 
 namespace runmark::bench {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "bench/peers/reader.h"
 #include "evaluate/observations.h"
 #include "evaluate/truth_folder.h"
-#include "peers/reader.h"
 
 namespace runmark::bench {
 

@@ -1,4 +1,4 @@
-#include "side_by_side/shared_markers.h"
+#include "bench/side_by_side/shared_markers.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "bench/side_by_side/run.h"
 #include "evaluate/tally.h"
-#include "side_by_side/run.h"
 
 namespace runmark::bench {
 

@@ -1,4 +1,4 @@
-#include "side_by_side/svg_chart.h"
+#include "bench/side_by_side/svg_chart.h"
 
 #include <algorithm>
 #include <array>

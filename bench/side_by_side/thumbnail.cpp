@@ -1,4 +1,4 @@
-#include "side_by_side/thumbnail.h"
+#include "bench/side_by_side/thumbnail.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "speed/frames.h"
+#include "bench/speed/frames.h"
 
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>

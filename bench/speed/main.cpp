@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
-#include "speed/measure.h"
+#include "bench/speed/measure.h"
 
 namespace runmark::bench {
 namespace {

@@ -1,10 +1,10 @@
-#include "speed/measure.h"
+#include "bench/speed/measure.h"
 
 #include <algorithm>
 
-#include "cpu_clock.h"
+#include "bench/cpu_clock.h"
+#include "bench/speed/workers.h"
 #include "evaluate/percentile.h"
-#include "speed/workers.h"
 
 namespace runmark::bench {
 namespace {

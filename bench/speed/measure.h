@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "speed/frames.h"
+#include "bench/speed/frames.h"
 
 namespace runmark::bench {
 

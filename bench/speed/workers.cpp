@@ -1,10 +1,10 @@
-#include "speed/workers.h"
+#include "bench/speed/workers.h"
 
 #include <cstring>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "peers/reader.h"
+#include "bench/peers/reader.h"
 
 namespace runmark::bench {
 namespace {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 Observations spoilt(const std::vector<TruthImage>& truth) {
   std::mt19937 random(7);
-  const auto chance = [&](double share) { return random() < share * 4294967296.0; };
+  const auto chance = [&](double share) { return static_cast<double>(random()) < share * 4294967296.0; };
   const auto jitter = [&](double size) {
     return (static_cast<double>(random()) / 4294967296.0 - 0.5) * size;
   };
