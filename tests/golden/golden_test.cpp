@@ -74,6 +74,20 @@ void check_at_all_rotations(const std::string& set, const std::vector<LabelledIm
   }
 }
 
+TEST(Golden, ImagesTurnWithTheirTruth) {
+  LabelledImage image{cv::Mat(3, 5, CV_8UC1, cv::Scalar(0)), {.width = 5, .height = 3}, {}};
+  image.grey.at<std::uint8_t>(1, 4) = 200;  // x = 4, y = 1
+  image.truth.markers.push_back({.id = 0, .corners = {Point{4, 1}, Point{}, Point{}, Point{}}});
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    const LabelledImage result = turned(image, quarters);
+    EXPECT_EQ(result.grey.cols, quarters % 2 == 0 ? 5 : 3);
+    EXPECT_EQ(result.truth.width, result.grey.cols);
+    const Point p = result.truth.markers[0].corners[0];
+    EXPECT_EQ(result.grey.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)), 200) << quarters;
+    EXPECT_EQ(cv::countNonZero(result.grey), 1) << quarters;
+  }
+}
+
 TEST(Golden, RenderedVga) { check_at_all_rotations("vga", rendered_scenes("vga", 16)); }
 TEST(Golden, RenderedHd) { check_at_all_rotations("hd", rendered_scenes("hd", 6)); }
 TEST(Golden, RenderedFullhd) { check_at_all_rotations("fullhd", rendered_scenes("fullhd", 3)); }
