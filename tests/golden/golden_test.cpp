@@ -61,16 +61,18 @@ void check_at_all_rotations(const std::string& set, const std::vector<LabelledIm
   for (int quarters = 0; quarters < 4; ++quarters) {
     Level measured;
     int rotated = 0;
+    CornerErrors corners;
     for (const LabelledImage& image : images) {
       const Tally tally = tally_of(turned(image, quarters));
       measured.markers += tally.truth;
       measured.least_found += tally.found;
       measured.most_false += tally.false_alarms;
       rotated += tally.rotated;
+      corners.add(tally.corners);
     }
     check(set, quarters * 90, measured, rotated);
-    std::printf("%s at %d degrees: %d of %d markers, %d false\n", set.c_str(), quarters * 90,
-                measured.least_found, measured.markers, measured.most_false);
+    std::printf("%s at %d degrees: %d of %d markers, %d false, corner rms %.5f px\n", set.c_str(),
+                quarters * 90, measured.least_found, measured.markers, measured.most_false, corners.rms());
   }
 }
 
