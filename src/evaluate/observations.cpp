@@ -23,7 +23,9 @@ Result<Observations> read_observations(const std::filesystem::path& file) {
     const std::string where = file.string() + ":" + std::to_string(number) + ": ";
     try {
       const json object = json::parse(line);
-      const std::string image = text_member(object, "image");
+      // runmark detect names every input, a video too, its source.
+      const bool own = object.is_object() && object.contains("source") && !object.contains("image");
+      const std::string image = text_member(object, own ? "source" : "image");
       ImageObservations found;
       for (const json& marker : list_member(object, "markers")) {
         found.markers.push_back({whole_number(member(marker, "id"), "id"), corners_member(marker)});

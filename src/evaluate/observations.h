@@ -30,8 +30,8 @@ struct ImageObservations {
 using Observations = std::map<std::string, ImageObservations>;
 
 /// Reads detections, one JSON object a line: {"image": name, "markers": [{"id": n, "corners": [[x, y],
-/// [x, y], [x, y], [x, y]]}]}, with "ms" if the time is known. Other members are ignored. Errors give
-/// the line.
+/// [x, y], [x, y], [x, y]]}]}, with "ms" if the time is known. `runmark detect` says "source" for "image".
+/// Other members are ignored. Errors give the line.
 [[nodiscard]] Result<Observations> read_observations(const std::filesystem::path& file);
 
 }  // namespace runmark
