@@ -46,8 +46,8 @@ inline FrameChains plain_chains(const PixelImage& image, const ScanSettings& set
   limits.max_records = 1U << 20;  // the hardware has no limit but its pool
   limits.min_height = static_cast<std::uint16_t>(settings.min_height);
   limits.holes = settings.holes;
-  ContourScan scan(image.width(), records, limits, settings.eight ? Connectivity::eight : Connectivity::four,
-                   settings.cases);
+  const auto connectivity = settings.eight ? Connectivity::eight : Connectivity::four;
+  ContourScan scan(image.width(), {settings.cases, connectivity, limits, records});
   FrameChains result;
   scan.begin_frame(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y) {
