@@ -1,7 +1,7 @@
 // The contour core: events in raster order in, closed chains out (src/contour/contour_linker.h is its
 // definition). The open ends of all chains stand in one queue in the order of their cracks: an event takes
 // the cracks of the row above from its head and puts those of the current row at its tail. Straight cracks
-// take 1 clock, shifts 2, starts 3, joins 4 to 7.
+// take 1 clock, shifts 3, starts 3, joins that close a chain 6, others 10.
 //
 // A closed chain's records stay in the pool until the walker has been along it and gives them back. With
 // `patient` the core waits for that before it goes on, so that free records do not depend on the walker's pace.
@@ -67,10 +67,12 @@ module contour #(
 
   localparam [2:0] STRAIGHT = 3'd0, SHIFT = 3'd1, START = 3'd2, JOIN = 3'd3, BEGIN_FRAME = 3'd4, END_FRAME = 3'd5;
 
-  localparam [3:0] IDLE = 4'd0, SHIFTED = 4'd1, START_LEFT = 4'd2, START_RIGHT = 4'd3, JOIN_LEFT = 4'd4,
-      JOIN_RIGHT = 4'd5, JOIN_BOTH = 4'd6, DROP_CLOSED = 4'd7, CONNECT_UP = 4'd8, CONNECT_DOWN = 4'd9,
-      CONNECTED = 4'd10, GIVE_UP = 4'd11;
-  logic [3:0] state;
+  localparam [4:0] IDLE = 5'd0, SHIFTED = 5'd1, START_LEFT = 5'd2, START_RIGHT = 5'd3, JOIN_LEFT = 5'd4,
+      JOIN_RIGHT = 5'd5, JOIN_BOTH = 5'd6, DROP_CLOSED = 5'd7, CONNECT_UP = 5'd8, CONNECT_DOWN = 5'd9,
+      CONNECTED = 5'd10, GIVE_UP = 5'd11, JOIN_TOP = 5'd12, CONNECT_SUM = 5'd13,
+      CONNECT_OTHER = 5'd14, CLOSED = 5'd15,
+      SHIFT_READ = 5'd16, GIVE_READ = 5'd17;
+  logic [4:0] state;
 
   // The cracks: open ends in raster order.
   logic clear;
@@ -132,12 +134,12 @@ module contour #(
   logic broken;
 
   wire append = event_top == event_left_above;
-  wire [TW+1:0] closed_turns = {2'b0, up_turns} + {2'b0, down_turns} + 1'b1;
-  wire [YW-1:0] closed_top = up_top < down_top ? up_top : down_top;
-  wire [YW-1:0] closed_height = event_y - closed_top;
-  wire obeys = closed_turns <= {2'b0, max_turns} && closed_height >= min_height && (holes || !event_top);
-  wire [TW+1:0] other_turns = {2'b0, q_turns} + {2'b0, up_turns};
-  wire breaks = {1'b0, other_turns} + {2'b0, joined_turns} > {3'b0, max_turns};
+  logic [TW:0] both_turns;  // of a chain that closes: without the run that closes it
+  logic [YW-1:0] both_top;
+  logic [YW-1:0] height;
+  logic obeys;
+  logic [TW:0] other_turns;  // of the half that takes in the up end
+  logic [YW-1:0] other_top;
   wire [YW-1:0] least_top_down = q_top < down_top ? q_top : down_top;
   wire [YW-1:0] least_top_up = q_top < up_top ? q_top : up_top;
 
@@ -148,7 +150,7 @@ module contour #(
   logic [2*RW+1:0] chain_out;
   stream_fifo #(.WIDTH(2 * RW + 2), .DEPTH(QUEUE)) chains (
       .clk(clk), .clear(reset), .in_valid(chain_push), .in_ready(chain_room),
-      .in_data({chain_push_end, event_top, up_record, new_record}),
+      .in_data({chain_push_end, event_top, up_record, given_record}),
       .out_valid(chain_valid), .out_ready(chain_ready), .out_data(chain_out));
   assign {chain_end, chain_hole, chain_head, chain_tail} = chain_out;
 
@@ -157,7 +159,8 @@ module contour #(
   wire pool_can = !pool_busy;
   wire release_now = release_valid && release_ready;
   wire handed_on = chain_push && chain_room && !chain_push_end;
-  assign clear = reset || (goes && event_kind == BEGIN_FRAME && walk_idle);
+  logic in_frame;
+  assign clear = reset || (goes && event_kind == BEGIN_FRAME && walk_idle && !in_frame);
 
   always_comb begin
     event_ready = 1'b0;
@@ -168,10 +171,10 @@ module contour #(
     read_at = crack;
     write_end = 1'b0;
     write_at = left;
-    write_partner = q_partner;
+    write_partner = left_partner;
     write_record = new_record;
-    write_turns = q_turns;
-    write_top = q_top;
+    write_turns = left_turns;
+    write_top = left_top;
     pool_take = 1'b0;
     pool_link = 1'b0;
     pool_give = 1'b0;
@@ -206,8 +209,10 @@ module contour #(
             read_at = free_end;
           end
           BEGIN_FRAME: begin
-            event_ready = walk_idle;
-            count_abandoned = walk_idle && abandoned_chains != '0;
+            chain_push = in_frame;  // the frame before was cut off
+            chain_push_end = 1'b1;
+            event_ready = walk_idle && !in_frame;
+            count_abandoned = event_ready && abandoned_chains != '0;
           end
           END_FRAME: begin
             chain_push = 1'b1;
@@ -220,23 +225,23 @@ module contour #(
       end
 
       SHIFTED: begin
-        if (q_dead || pool_can) begin
+        if (left_dead || pool_can) begin
           crack_push = 1'b1;
-          event_ready = q_dead || !pool_none;
+          event_ready = left_dead || !pool_none;
           count_run = 1'b1;
         end
-        if (!q_dead && pool_can) begin
+        if (!left_dead && pool_can) begin
           write_end = 1'b1;
           if (pool_none) begin
             write_record = NO_RECORD;
             read_end = 1'b1;
-            read_at = q_partner;
+            read_at = left_partner;
             count_dropped_full = 1'b1;
           end else begin
             pool_take = 1'b1;
             pool_link = 1'b1;
-            link_from = append ? q_record : new_record;
-            link_to = append ? new_record : q_record;
+            link_from = append ? left_record : new_record;
+            link_to = append ? new_record : left_record;
           end
         end
       end
@@ -277,6 +282,8 @@ module contour #(
         write_at = left;
         write_partner = free_end;
       end
+      JOIN_TOP: begin
+      end
       JOIN_BOTH: begin
         write_end = 1'b1;  // the two ends are free: right, left, and those before
         write_at = right;
@@ -298,16 +305,16 @@ module contour #(
           end else begin
             pool_take = 1'b1;
             pool_link = 1'b1;
-            if (closes) begin
-              count_closed = 1'b1;
-              chain_push = obeys;
-              count_dropped_rule = !obeys;
-              count_dropped_queue = obeys && !chain_room;
-              event_ready = obeys && chain_room;
-              count_run = event_ready;
-            end
+            count_closed = closes;
           end
         end
+      end
+      CLOSED: begin
+        chain_push = obeys;
+        count_dropped_rule = !obeys;
+        count_dropped_queue = obeys && !chain_room;
+        event_ready = obeys && chain_room;
+        count_run = obeys && chain_room;
       end
       DROP_CLOSED: begin
         give_tail = given_record;
@@ -327,13 +334,15 @@ module contour #(
           read_end = 1'b1;
         end
       end
-      CONNECT_DOWN: begin
+      CONNECT_DOWN, CONNECT_SUM: begin
+      end
+      CONNECT_OTHER: begin
         write_end = 1'b1;
         write_at = up_partner;
         write_partner = down_partner;
-        write_record = breaks ? NO_RECORD : q_record;
+        write_record = broken ? NO_RECORD : given_record;
         write_turns = other_turns[TW-1:0];
-        write_top = least_top_up;
+        write_top = other_top;
       end
       CONNECTED: begin
         write_end = 1'b1;
@@ -352,12 +361,12 @@ module contour #(
         end
       end
 
-      GIVE_UP: begin  // the other end of a chain that has been given up is being read
+      GIVE_UP: begin  // the other end of a chain that has been given up has been read
         write_end = 1'b1;
         write_at = left_partner;
         write_record = NO_RECORD;
-        give_head = give_is_tail ? q_record : given_record;
-        give_tail = give_is_tail ? given_record : q_record;
+        give_head = give_is_tail ? joined_record : given_record;
+        give_tail = give_is_tail ? given_record : joined_record;
         read_at = up_partner;
         if (pool_can) begin
           pool_give = 1'b1;
@@ -379,7 +388,7 @@ module contour #(
     case (state)
       IDLE: if (goes) begin
         case (event_kind)
-          SHIFT: if (crack_valid) state <= SHIFTED;
+          SHIFT: if (crack_valid) state <= SHIFT_READ;
           JOIN: if (crack_valid) state <= JOIN_LEFT;
           START: state <= START_LEFT;
           default: ;
@@ -388,12 +397,19 @@ module contour #(
         left_listed <= have_free_end;
         if (event_kind == START && !have_free_end) untouched_end <= untouched_end + 1'b1;
       end
-      SHIFTED: begin
+      SHIFT_READ: begin
         left_partner <= q_partner;
-        given_record <= q_record;
+        left_record <= q_record;
+        left_turns <= q_turns;
+        left_top <= q_top;
+        left_dead <= q_dead;
+        state <= SHIFTED;
+      end
+      SHIFTED: begin
+        given_record <= left_record;
         give_is_tail <= append;
         give_second <= 1'b0;
-        if (q_dead || pool_can) state <= q_dead || !pool_none ? IDLE : GIVE_UP;
+        if (left_dead || pool_can) state <= left_dead || !pool_none ? IDLE : GIVE_READ;
       end
       START_LEFT: if (pool_can) begin
         right <= left_listed ? q_partner : untouched_end;
@@ -425,31 +441,39 @@ module contour #(
         up_turns <= event_top ? q_turns : left_turns;
         up_top <= event_top ? q_top : left_top;
         up_dead <= event_top ? q_dead : left_dead;
+        both_top <= q_top < left_top ? q_top : left_top;
         closes <= !left_dead && !q_dead && left_partner == right;
+        state <= JOIN_TOP;
+      end
+      JOIN_TOP: begin
+        both_turns <= {1'b0, up_turns} + {1'b0, down_turns};
+        height <= event_y - both_top;
         state <= JOIN_BOTH;
       end
       JOIN_BOTH: begin
         give_second <= 1'b0;
+        obeys <= both_turns < {1'b0, max_turns} && height >= min_height && (holes || !event_top);
         left_partner <= up_dead ? down_partner : down_dead ? up_partner : down_partner;
         if (up_dead && down_dead) begin
           state <= IDLE;
         end else if (up_dead || down_dead) begin
           give_is_tail <= up_dead;
           given_record <= up_dead ? down_record : up_record;
-          state <= GIVE_UP;
+          state <= GIVE_READ;
         end else if (pool_can) begin
           if (pool_none) begin
             give_is_tail <= 1'b1;
             given_record <= down_record;
             give_second <= 1'b1;
-            state <= closes ? IDLE : GIVE_UP;
+            state <= closes ? IDLE : GIVE_READ;
           end else begin
             given_record <= new_record;
-            state <= !closes ? CONNECT_UP : obeys && chain_room ? IDLE : DROP_CLOSED;
+            state <= closes ? CLOSED : CONNECT_UP;
           end
         end
         free_end <= right;
       end
+      CLOSED: state <= obeys && chain_room ? IDLE : DROP_CLOSED;
       DROP_CLOSED: if (pool_can) state <= IDLE;
       CONNECT_UP: if (pool_can) begin
         joined_record <= q_record;
@@ -458,17 +482,27 @@ module contour #(
         state <= CONNECT_DOWN;
       end
       CONNECT_DOWN: begin
-        broken <= breaks;
         given_record <= q_record;
-        state <= CONNECTED;
+        other_turns <= {1'b0, q_turns} + {1'b0, up_turns};
+        other_top <= least_top_up;
+        state <= CONNECT_SUM;
       end
+      CONNECT_SUM: begin
+        broken <= {1'b0, other_turns} + {1'b0, joined_turns} > {2'b0, max_turns};
+        state <= CONNECT_OTHER;
+      end
+      CONNECT_OTHER: state <= CONNECTED;
       CONNECTED: if (!broken || pool_can) state <= IDLE;
+      GIVE_READ: begin
+        joined_record <= q_record;
+        state <= GIVE_UP;
+      end
       GIVE_UP: if (pool_can) begin
         give_second <= 1'b0;
         give_is_tail <= 1'b0;
         given_record <= up_record;
         left_partner <= up_partner;
-        state <= give_second ? GIVE_UP : IDLE;
+        state <= give_second ? GIVE_READ : IDLE;
       end
       default: state <= IDLE;
     endcase
@@ -479,6 +513,9 @@ module contour #(
     if (handed_on != release_now) walking <= handed_on ? walking + 1'b1 : walking - 1'b1;
     walk_idle <= handed_on ? 1'b0 : walking == '0 || (walking == CW'(1) && release_now);
 
+    if (goes && event_kind == BEGIN_FRAME && event_ready) in_frame <= 1'b1;
+    else if (chain_push && chain_push_end && chain_room) in_frame <= 1'b0;
+
     if (clear || count_abandoned) abandoned_chains <= '0;
     if (clear) begin
       free_end <= NO_END;
@@ -487,6 +524,7 @@ module contour #(
     if (reset) begin
       state <= IDLE;
       walking <= '0;
+      in_frame <= 1'b0;
       walk_idle <= 1'b1;
     end
   end
@@ -494,7 +532,6 @@ module contour #(
 `ifdef VERILATOR
   always_ff @(posedge clk) begin
     if (crack_push && !crack_room) $error("contour: the crack queue is full");
-    if (chain_push && !chain_push_end && pool_busy) $error("contour: chain pushed while the pool is busy");
   end
 `endif
 endmodule

@@ -102,13 +102,9 @@ TEST(RtlContour, IsRightAgainAfterAFrameIsCutOff) {
     const int pixels = static_cast<int>(random() % 399);
     bench.run(cut, settings, pixels);
     const PixelImage image = noise_image(16, 16, 45, 2, random());
-    // The cut frame's chains still come first; what it counts late is not looked at.
     const FrameChains hardware = bench.run(image, settings);
-    const FrameChains plain = plain_chains(image, settings, small_records);
     ASSERT_TRUE(hardware.ended);
-    ASSERT_GE(hardware.chains.size(), plain.chains.size());
-    const auto first = hardware.chains.end() - static_cast<std::ptrdiff_t>(plain.chains.size());
-    ASSERT_EQ(std::vector<Chain>(first, hardware.chains.end()), plain.chains) << "cut after " << pixels;
+    ASSERT_EQ(hardware.chains, plain_chains(image, settings, small_records).chains) << "cut after " << pixels;
   }
 }
 
@@ -143,6 +139,7 @@ TEST(RtlContour, KeepsUpWithTheCamera) {
   ASSERT_TRUE(hardware.ended);
   const double pixels = 640.0 * 480.0;
   RecordProperty("runs", static_cast<int>(hardware.counts.runs));
+  RecordProperty("cycles", static_cast<int>(hardware.cycles));
   EXPECT_LE(static_cast<double>(hardware.cycles) / pixels, 1.02) << hardware.counts.runs << " runs";
 }
 

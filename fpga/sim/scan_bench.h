@@ -111,6 +111,7 @@ class ScanBench {
       core_.tick();
       if (result.ended) break;
     }
+    if (!result.ended && at > 0) ++cut_frames_;
     result.cycles = core_.cycles() - begin;
     result.record_peak = core_->record_peak;
     return result;
@@ -138,7 +139,11 @@ class ScanBench {
       case Step::wait:
         if (!core_->chain_valid || !core_->chain_ready) break;
         if (core_->chain_end) {
-          result.ended = true;
+          result.ended = cut_frames_ == 0;
+          if (cut_frames_ > 0) {  // what came so far was of a frame that was cut off
+            --cut_frames_;
+            result.chains.clear();
+          }
           break;
         }
         head_ = core_->chain_head;
@@ -163,6 +168,7 @@ class ScanBench {
   }
 
   Clocked<Model> core_;
+  int cut_frames_ = 0;
   Step step_ = Step::wait;
   unsigned head_ = 0;
   unsigned tail_ = 0;
