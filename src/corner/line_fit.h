@@ -23,17 +23,11 @@ struct Line {
                (a.normal.x * b.offset - b.normal.x * a.offset) / sine};
 }
 
-/// Weighted moments of points: the total least squares line through them without keeping them.
+/// Moments of cracks: the total least squares line through them without keeping them.
 /// Coordinates are taken relative to an origin near the points, so that nothing cancels.
 class LineFit {
  public:
   explicit LineFit(Point origin) : origin_(origin) {}
-
-  void add(Point p, double weight) {
-    const double x = p.x - origin_.x;
-    const double y = p.y - origin_.y;
-    add_moments(weight, weight * x, weight * y, weight * x * x, weight * x * y, weight * y * y);
-  }
 
   /// The unit cracks of an axis-parallel run from `a` to `b`, by their midpoints.
   void add_cracks(Point a, Point b) {
@@ -46,41 +40,46 @@ class LineFit {
                 length * y * y + (a.x == b.x ? spread : 0));
   }
 
-  [[nodiscard]] double weight() const { return n_; }
-
   /// The line with the least squared distances; nothing with fewer than two points' weight.
   [[nodiscard]] std::optional<Line> line() const {
     if (n_ <= 0) return std::nullopt;
-    const double mx = sx_ / n_;
-    const double my = sy_ / n_;
-    const double cxx = sxx_ / n_ - mx * mx;
-    const double cxy = sxy_ / n_ - mx * my;
-    const double cyy = syy_ / n_ - my * my;
-    const double half = (cxx - cyy) / 2;
-    const double root = std::sqrt(half * half + cxy * cxy);
-    if (root <= 0) return std::nullopt;
+    const Spread s = spread();
+    if (s.root <= 0) return std::nullopt;
     // Direction of the larger eigenvalue, by the better conditioned of two formulas.
-    Point along = half >= 0 ? Point{half + root, cxy} : Point{cxy, root - half};
+    const Point along = s.half >= 0 ? Point{s.half + s.root, s.xy} : Point{s.xy, s.root - s.half};
     const double length = std::sqrt(along.x * along.x + along.y * along.y);
     if (length <= 0) return std::nullopt;
     const Point normal{-along.y / length, along.x / length};
-    return Line{normal, normal.x * (mx + origin_.x) + normal.y * (my + origin_.y)};
+    return Line{normal, normal.x * (sx_ / n_ + origin_.x) + normal.y * (sy_ / n_ + origin_.y)};
   }
 
   /// Mean squared distance from the fitted line.
   [[nodiscard]] double mean_square() const {
     if (n_ <= 0) return 0;
-    const double mx = sx_ / n_;
-    const double my = sy_ / n_;
-    const double cxx = sxx_ / n_ - mx * mx;
-    const double cxy = sxy_ / n_ - mx * my;
-    const double cyy = syy_ / n_ - my * my;
-    const double half = (cxx - cyy) / 2;
-    const double smaller = (cxx + cyy) / 2 - std::sqrt(half * half + cxy * cxy);
+    const Spread s = spread();
+    const double smaller = s.mean - s.root;
     return smaller > 0 ? smaller : 0;
   }
 
  private:
+  /// The points' covariance: its eigenvalues are mean + root and mean - root.
+  struct Spread {
+    double mean = 0;  // of the variances along x and y
+    double half = 0;  // half their difference
+    double xy = 0;
+    double root = 0;
+  };
+
+  [[nodiscard]] Spread spread() const {
+    const double mx = sx_ / n_;
+    const double my = sy_ / n_;
+    const double xx = sxx_ / n_ - mx * mx;
+    const double xy = sxy_ / n_ - mx * my;
+    const double yy = syy_ / n_ - my * my;
+    const double half = (xx - yy) / 2;
+    return {(xx + yy) / 2, half, xy, std::sqrt(half * half + xy * xy)};
+  }
+
   void add_moments(double n, double x, double y, double xx, double xy, double yy) {
     n_ += n;
     sx_ += x;
