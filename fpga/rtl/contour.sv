@@ -1,7 +1,7 @@
 // The contour core: events in raster order in, closed chains out (src/contour/contour_linker.h is its
 // definition). The open ends of all chains stand in one queue in the order of their cracks: an event takes
 // the cracks of the row above from its head and puts those of the current row at its tail. Straight cracks
-// take 1 clock, shifts 3, starts 3, joins that close a chain 6, others 10.
+// take 1 clock, shifts 3, starts 4, joins that close a chain 6, others 10.
 //
 // A closed chain's records stay in the pool until the walker has been along it and gives them back. With
 // `patient` the core waits for that before it goes on, so that free records do not depend on the walker's pace.
@@ -71,7 +71,7 @@ module contour #(
       JOIN_RIGHT = 5'd5, JOIN_BOTH = 5'd6, DROP_CLOSED = 5'd7, CONNECT_UP = 5'd8, CONNECT_DOWN = 5'd9,
       CONNECTED = 5'd10, GIVE_UP = 5'd11, JOIN_TOP = 5'd12, CONNECT_SUM = 5'd13,
       CONNECT_OTHER = 5'd14, CLOSED = 5'd15,
-      SHIFT_READ = 5'd16, GIVE_READ = 5'd17;
+      SHIFT_READ = 5'd16, GIVE_READ = 5'd17, START_READ = 5'd18;
   logic [4:0] state;
 
   // The cracks: open ends in raster order.
@@ -247,13 +247,13 @@ module contour #(
       end
 
       START_LEFT: begin
-        read_at = q_partner;
+        read_at = right;
         if (pool_can) begin
           pool_take = !pool_none;
           count_dropped_full = pool_none;
           read_end = left_listed;
           write_end = 1'b1;
-          write_partner = left_listed ? q_partner : untouched_end;
+          write_partner = right;
           write_record = pool_none ? NO_RECORD : new_record;
           write_turns = TW'(1);
           write_top = event_y;
@@ -390,11 +390,12 @@ module contour #(
         case (event_kind)
           SHIFT: if (crack_valid) state <= SHIFT_READ;
           JOIN: if (crack_valid) state <= JOIN_LEFT;
-          START: state <= START_LEFT;
+          START: state <= have_free_end ? START_READ : START_LEFT;
           default: ;
         endcase
         left <= event_kind == START ? (have_free_end ? free_end : untouched_end) : crack;
         left_listed <= have_free_end;
+        right <= untouched_end + 1'b1;
         if (event_kind == START && !have_free_end) untouched_end <= untouched_end + 1'b1;
       end
       SHIFT_READ: begin
@@ -411,8 +412,11 @@ module contour #(
         give_second <= 1'b0;
         if (left_dead || pool_can) state <= left_dead || !pool_none ? IDLE : GIVE_READ;
       end
+      START_READ: begin
+        right <= q_partner;
+        state <= START_LEFT;
+      end
       START_LEFT: if (pool_can) begin
-        right <= left_listed ? q_partner : untouched_end;
         if (!left_listed) untouched_end <= untouched_end + 1'b1;
         given_record <= pool_none ? NO_RECORD : new_record;
         state <= START_RIGHT;

@@ -3,7 +3,7 @@
 // walk is over, before the pattern core looks at the pixels.
 //
 // Of the paper's two counters only the one across the direction of travel is ever read, and it begins anew at
-// every corner, so there is one.
+// every corner, so there is one. An offset that has made no corner is below the threshold: nothing saturates.
 module corner #(
     parameter XW = 10,
     parameter YW = 9,
@@ -39,31 +39,14 @@ module corner #(
     output logic            quad_end      // no quad: the frame's last has been handed on
 );
   localparam W = (XW > YW ? XW : YW) + 1;
+  localparam SW = (W > 10 ? W : 10) + 1;  // of an offset and a step together
 
-  localparam [2:0] IDLE = 3'd0, TAIL = 3'd1, READ = 3'd2, UPRIGHT = 3'd3, LEVEL = 3'd4, RELEASE = 3'd5, EMIT = 3'd6;
-  logic [2:0] state;
+  localparam [3:0] IDLE = 4'd0, TAIL = 4'd1, READ = 4'd2, UPRIGHT = 4'd3, LEVEL = 4'd4, RELEASE = 4'd5, LAST = 4'd6,
+      COUNT = 4'd7, EMIT = 4'd8;
+  logic [3:0] state;
   logic second_round;
   logic [RW-1:0] head, tail, record;
   logic hole;
-
-  logic [XW-1:0] at_x, to_x;
-  logic [YW-1:0] at_y;
-  logic upright;  // travelling up or down
-  logic signed [8:0] offset;
-  logic [2:0] corners;  // saturates at 5
-  logic [XW-1:0] corner_x[0:3];
-  logic [YW-1:0] corner_y[0:3];
-
-  // One move, upright or level; it adds to the offset when it lies across the direction of travel.
-  wire moves = state == UPRIGHT || state == LEVEL;
-  wire across = upright == (state == LEVEL);
-  wire signed [W-1:0] step = state == LEVEL ? $signed({{(W - XW) {1'b0}}, to_x}) - $signed({{(W - XW) {1'b0}}, at_x})
-                                            : $signed({{(W - YW) {1'b0}}, walk_y}) - $signed({{(W - YW) {1'b0}}, at_y});
-  wire signed [W+1:0] sum = (W + 2)'(step) + (W + 2)'(offset);
-  wire signed [8:0] saturated = sum > (W + 2)'(255) ? 9'sd255 : sum < -(W + 2)'(255) ? -9'sd255 : sum[8:0];
-  wire signed [8:0] new_offset = across ? saturated : offset;
-  wire [8:0] distance = new_offset[8] ? -new_offset : new_offset;
-  wire turns = distance >= {1'b0, threshold};
 
   wire at_tail = record == tail;
   wire last = at_tail && second_round;
@@ -77,6 +60,27 @@ module corner #(
   assign chain_ready = state == IDLE;
   assign quad_valid = state == EMIT;
 
+  // One move a clock, upright or level: first where it goes, then how far, then what it does to the offset.
+  logic [XW-1:0] at_x, to_x, from_x;
+  logic [YW-1:0] at_y, to_y, from_y;
+  logic signed [W-1:0] step;
+  logic came, came_last;      // a record was read in the clock before; it ends the first round
+  logic stepped, step_level, step_last, level_next, last_next;
+
+  // How much further the offset may go in either direction without making a corner: negative when it has.
+  logic upright;  // travelling up or down
+  logic signed [SW-1:0] room_up, room_down;
+  logic [2:0] corners;  // saturates at 5
+  logic [XW-1:0] corner_x[0:3];
+  logic [YW-1:0] corner_y[0:3];
+  wire signed [SW-1:0] whole_room = $signed({{(SW - 8) {1'b0}}, threshold}) - 1'b1;
+  logic signed [SW-1:0] room;  // of a new offset
+  wire across = upright == step_level;
+  wire signed [SW-1:0] change = across ? SW'(step) : '0;
+  wire signed [SW-1:0] new_up = room_up - change;
+  wire signed [SW-1:0] new_down = room_down + change;
+  wire turns = stepped && (new_up[SW-1] || new_down[SW-1]);
+
   always_ff @(posedge clk) begin
     case (state)
       IDLE: begin
@@ -87,10 +91,7 @@ module corner #(
         record_to_read <= chain_tail;
         if (chain_valid) state <= chain_end ? EMIT : TAIL;
         tail_read <= 1'b1;
-        upright <= 1'b1;
-        offset <= '0;
         second_round <= 1'b0;
-        corners <= '0;
       end
       TAIL: if (walk_granted) begin
         record_to_read <= head;
@@ -102,10 +103,7 @@ module corner #(
       end
       UPRIGHT: begin
         tail_read <= 1'b0;
-        at_y <= walk_y;
-        to_x <= walk_x;
         if (tail_read) begin
-          at_x <= walk_x;
           quad_bottom <= walk_y;
           state <= READ;
         end else begin
@@ -114,28 +112,70 @@ module corner #(
         end
       end
       LEVEL: begin
-        at_x <= to_x;
         record <= record_to_read;
         second_round <= second_round || at_tail;
         state <= last ? RELEASE : walk_granted ? UPRIGHT : READ;
       end
-      RELEASE: if (release_ready) state <= corners == 3'd4 ? EMIT : IDLE;
+      RELEASE: if (release_ready) state <= LAST;
+      LAST: state <= COUNT;  // the last move is still on its way
+      COUNT: state <= corners == 3'd4 ? EMIT : IDLE;
       default: if (quad_ready) state <= IDLE;
     endcase
-
-    if (moves && !tail_read) begin
-      offset <= turns ? '0 : new_offset;
-      if (turns) begin
-        upright <= !upright;
-        if (corners < 3'd5) corners <= corners + 1'b1;
-        if (corners < 3'd4) begin
-          corner_x[corners[1:0]] <= at_x;
-          corner_y[corners[1:0]] <= at_y;
-        end
-      end
-      if (state == LEVEL && at_tail && !second_round) corners <= '0;
-    end
     if (reset) state <= IDLE;
+  end
+
+  always_ff @(posedge clk) begin
+    // Where to.
+    came <= state == UPRIGHT && !tail_read;
+    came_last <= at_tail && !second_round;
+    if (state == UPRIGHT) begin
+      to_x <= walk_x;
+      to_y <= walk_y;
+      if (tail_read) begin
+        at_x <= walk_x;
+        at_y <= walk_y;
+      end
+    end
+
+    // How far, from where: upright first.
+    stepped <= came || level_next;
+    step_level <= level_next;
+    step_last <= level_next && last_next;
+    level_next <= came;
+    last_next <= came_last;
+    from_x <= at_x;
+    from_y <= at_y;
+    if (came) begin
+      step <= W'($signed({{(W - YW) {1'b0}}, to_y}) - $signed({{(W - YW) {1'b0}}, at_y}));
+      at_y <= to_y;
+    end else if (level_next) begin
+      step <= W'($signed({{(W - XW) {1'b0}}, to_x}) - $signed({{(W - XW) {1'b0}}, at_x}));
+      at_x <= to_x;
+    end
+
+    // The offset.
+    room <= whole_room;
+    if (state == IDLE) begin
+      room_up <= whole_room;
+      room_down <= whole_room;
+      upright <= 1'b1;
+      corners <= '0;
+    end else if (stepped) begin
+      room_up <= turns ? room : new_up;
+      room_down <= turns ? room : new_down;
+      upright <= upright != turns;
+      if (turns && corners < 3'd4) begin
+        corner_x[corners[1:0]] <= from_x;
+        corner_y[corners[1:0]] <= from_y;
+      end
+      if (step_last) corners <= '0;
+      else if (turns && corners < 3'd5) corners <= corners + 1'b1;
+    end
+    if (reset) begin
+      came <= 1'b0;
+      level_next <= 1'b0;
+      stepped <= 1'b0;
+    end
   end
 
   assign quad_x = {corner_x[3], corner_x[2], corner_x[1], corner_x[0]};

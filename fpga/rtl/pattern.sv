@@ -70,6 +70,7 @@ module pattern #(
 
   // The shape: four cross products of neighbouring sides, the corners turning once round, then the area.
   logic shape_busy, shape_good;
+  logic side_done, area_done;  // its product stands there
   logic [2:0] shape_step;
   logic second_factor;
   logic [$clog2(W + 1)-1:0] shape_bit;
@@ -113,28 +114,26 @@ module pattern #(
   wire white = (({1'b0, grey} >= level) == above_is_dark) == marker_hole;
   wire in_border = answered[2:0] == 3'd0 || answered[2:0] == 3'd7 || answered[5:3] == 3'd0 || answered[5:3] == 3'd7;
 
-  // The search: a code a clock, its wrong bits three clocks later.
+  // The search: a code a clock, its wrong bits four clocks later.
   logic [35:0] dictionary[0:CODES-1];
   logic [35:0] entry, different;
   logic [IW:0] search_at;
-  logic [2:0] searching;  // the codes on their way
+  logic [3:0] searching;  // the codes on their way
   logic [6:0] errors;
   wire search_more = state == MATCH && search_at != codes;
-  wire hit = searching[2] && errors <= {1'b0, max_errors};
+  wire hit = searching[3] && errors <= {1'b0, max_errors};
   function automatic [2:0] ones(input [5:0] b);
     ones = {2'b0, b[0]} + {2'b0, b[1]} + {2'b0, b[2]} + {2'b0, b[3]} + {2'b0, b[4]} + {2'b0, b[5]};
   endfunction
-  logic [6:0] code_errors;
-  always_comb begin
-    code_errors = {2'b0, border_errors};
-    for (int i = 0; i < 6; i++) code_errors = code_errors + {4'b0, ones(different[6*i+:6])};
-  end
+  logic [2:0] row_errors[0:5];
+  wire [6:0] code_errors = {2'b0, border_errors} + {4'b0, row_errors[0]} + {4'b0, row_errors[1]}
+                         + {4'b0, row_errors[2]} + {4'b0, row_errors[3]} + {4'b0, row_errors[4]} + {4'b0, row_errors[5]};
   logic [35:0] turned;  // the code, a quarter turn back
   always_comb begin
     for (int r = 0; r < 6; r++) for (int c = 0; c < 6; c++) turned[35-(6*r+c)] = code[35-(6*c+5-r)];
   end
   // How far search_at is past the code whose errors stand in `errors`: it stops at the last.
-  wire [IW:0] hit_distance = (IW + 1)'(1) + {{IW{1'b0}}, searching[0]} + {{IW{1'b0}}, searching[1]};
+  wire [IW:0] hit_distance = (IW + 1)'(1) + {{IW{1'b0}}, searching[0]} + {{IW{1'b0}}, searching[1]} + {{IW{1'b0}}, searching[2]};
   wire search_over = state == MATCH && !search_more && searching == '0;
   wire next_rotation = search_over && marker_rotation != 2'd3;
   assign turn = shape_turn || next_rotation;
@@ -176,16 +175,13 @@ module pattern #(
       else product <= new_product;
       shape_bit <= shape_sum ? '0 : shape_bit + 1'b1;
       if (shape_sum) second_factor <= !second_factor;
-      if (shape_last) begin
-        shape_step <= shape_step + 1'b1;
-        if (area_step) begin
-          if (new_product[2*W] || new_product[XW+YW+1:0] < min_area || new_product[XW+YW+1:0] > max_area)
-            shape_good <= 1'b0;
-        end else if (new_product[2*W] || new_product == '0) begin
-          shape_good <= 1'b0;
-        end
-      end
+      if (shape_last) shape_step <= shape_step + 1'b1;
     end
+    side_done <= shape_busy && shape_last && !area_step;
+    area_done <= shape_busy && shape_last && area_step;
+    if (side_done && (product[2*W] || product == '0)) shape_good <= 1'b0;
+    if (area_done && (product[2*W] || product[XW+YW+1:0] < min_area || product[XW+YW+1:0] > max_area))
+      shape_good <= 1'b0;
     shape_busy <= (shape_busy && !(shape_last && area_step)) || (state == IDLE && quad_valid && !quad_end);
 
     case (state)
@@ -197,7 +193,7 @@ module pattern #(
         state <= READ;
       end
       READ: state <= WAIT;
-      WAIT: if (answered == asked && !reading && !shape_busy) state <= missed || !shape_good ? IDLE : MATCH;
+      WAIT: if (answered == asked && !reading && !shape_busy && !area_done) state <= missed || !shape_good ? IDLE : MATCH;
       MATCH: begin
         if (hit) state <= EMIT;
         else if (search_over && marker_rotation == 2'd3) state <= IDLE;
@@ -251,8 +247,9 @@ module pattern #(
 
     // The search.
     different <= entry ^ code;
+    for (i = 0; i < 6; i = i + 1) row_errors[i] <= ones(different[6*i+:6]);
     errors <= code_errors;
-    searching <= {searching[1:0], search_more} & {3{state == MATCH && !hit}};
+    searching <= {searching[2:0], search_more} & {4{state == MATCH && !hit}};
     if (state != MATCH) search_at <= '0;
     else if (search_more) search_at <= search_at + 1'b1;
     if (next_rotation) begin

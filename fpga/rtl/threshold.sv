@@ -38,10 +38,12 @@ module threshold (
       valid_1   <= 1'b0;
       valid_2   <= 1'b0;
       out_valid <= 1'b0;
+      out_sof   <= 1'b0;
     end else if (go) begin
       valid_1   <= in_valid;
       valid_2   <= valid_1;
       out_valid <= valid_2;
+      out_sof   <= sof_2;
     end
     if (go) begin
       red_77    <= {1'b0, red, 6'b0} + {4'b0, red, 3'b0} + {5'b0, red, 2'b0} + {7'b0, red};
@@ -56,7 +58,6 @@ module threshold (
 
       out_grey  <= grey_2;
       out_dark  <= ({1'b0, grey_2} >= level) == above_is_dark;
-      out_sof   <= sof_2;
       out_eol   <= eol_2;
     end
   end
