@@ -52,8 +52,10 @@ module preprocess #(
   wire takes = in_valid && in_ready && (in_sof || filling);
   wire step = takes || (flushing && free);
 
-  wire [XW-1:0] here_x = begins ? '0 : x;
-  wire [YW-1:0] here_y = begins ? '0 : y;
+  // The same as `begins` where a step is taken, and known sooner.
+  wire fresh = in_sof && !flushing;
+  wire [XW-1:0] here_x = fresh ? '0 : x;
+  wire [YW-1:0] here_y = fresh ? '0 : y;
   wire ends_line = here_x == last_x;
   wire border = here_x == '0 || ends_line || here_y == '0 || here_y == last_y;
   wire raw = in_dark && !border && !flushing;
@@ -63,14 +65,14 @@ module preprocess #(
   logic [2:0] stored;
   wire [XW-1:0] next_x = ends_line ? '0 : here_x + 1'b1;
   logic first_row;  // the store still holds the frame before
-  wire masks = begins || first_row;
+  wire masks = fresh || first_row;
   wire above_1 = stored[0] && !masks;
   wire above_2 = stored[1] && !masks;
   wire clean_above = stored[2] && !masks;
 
   logic clean;
   always_ff @(posedge clk) begin
-    if (step) line[here_x] <= {clean && !begins, above_1, raw};
+    if (step) line[here_x] <= {clean && !fresh, above_1, raw};
     if (step) stored <= line[next_x];
   end
 
@@ -135,20 +137,20 @@ module preprocess #(
 
     if (step) begin
       x <= next_x;
-      if (begins) y <= ends_line ? YW'(1) : '0;
+      if (fresh) y <= ends_line ? YW'(1) : '0;
       else if (ends_line) y <= y + 1'b1;
 
       east <= {raw, above_1, above_2};
-      middle <= begins ? '0 : east;
-      west <= begins ? '0 : middle;
-      clean <= !begins && filtered;
-      c <= !begins && clean;
+      middle <= fresh ? '0 : east;
+      west <= fresh ? '0 : middle;
+      clean <= !fresh && filtered;
+      c <= !fresh && clean;
       a <= clean_above;
-      c_left <= !begins && c;
-      a_left <= !begins && a;
+      c_left <= !fresh && c;
+      a_left <= !fresh && a;
 
-      begun <= {begun[2:0] & {3{!begins}}, begins};
-      if (begins) begin
+      begun <= {begun[2:0] & {3{!fresh}}, fresh};
+      if (fresh) begin
         at_y <= '1;
       end else if (begun[3]) begin
         at_x <= last_x == '0 ? '0 : XW'(1);
