@@ -5,6 +5,7 @@
 
 #include "dictionary/check_dictionary.h"
 #include "pipeline/found_markers.h"
+#include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "pipeline/standard_pipeline.h"
 
@@ -25,7 +26,13 @@ Result<std::unique_ptr<FramePipeline>> make_pipeline(const Options& options,
       }
       return std::unique_ptr<FramePipeline>(std::make_unique<PaperPipeline>(options, dictionaries));
     case Pipeline::hardware:
-      return Error{"pipeline hardware: not built yet"};
+      for (const Dictionary& dictionary : dictionaries) {
+        if (!HardwarePipeline::can_read(dictionary)) {
+          return Error{"dictionary " + dictionary.name +
+                       ": the hardware pipeline reads a full square of 4x4 to 8x8 cells in a black border"};
+        }
+      }
+      return std::unique_ptr<FramePipeline>(std::make_unique<HardwarePipeline>(options, dictionaries));
     case Pipeline::standard:
       break;
   }

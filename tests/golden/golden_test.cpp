@@ -18,8 +18,7 @@ namespace {
 
 const std::filesystem::path table_file = RUNMARK_SOURCE_DIR "/tests/golden/golden.csv";
 
-Tally tally_of(const LabelledImage& image) {
-  Options options;
+Tally tally_of(const LabelledImage& image, Options options = {}) {
   options.max_width = image.grey.cols;
   options.max_height = image.grey.rows;
   options.inverted = image.truth.inverted;
@@ -93,6 +92,25 @@ TEST(Golden, ImagesTurnWithTheirTruth) {
 TEST(Golden, RenderedVga) { check_at_all_rotations("vga", rendered_scenes("vga", 16)); }
 TEST(Golden, RenderedHd) { check_at_all_rotations("hd", rendered_scenes("hd", 6)); }
 TEST(Golden, RenderedFullhd) { check_at_all_rotations("fullhd", rendered_scenes("fullhd", 3)); }
+
+TEST(Golden, HardwarePipelineFindsWhatOneScaleFinds) {
+  Tally hardware;
+  Tally one_scale;
+  const auto add = [](Tally& sum, const Tally& tally) {
+    sum.truth += tally.truth;
+    sum.found += tally.found;
+    sum.false_alarms += tally.false_alarms;
+  };
+  for (const LabelledImage& image : rendered_scenes("vga", 40)) {
+    add(hardware, tally_of(image, {.pipeline = Pipeline::hardware}));
+    add(one_scale, tally_of(image, {.octaves = 0}));
+  }
+  std::printf("of %d markers hardware finds %d, default at one scale %d; false %d and %d\n", hardware.truth,
+              hardware.found, one_scale.found, hardware.false_alarms, one_scale.false_alarms);
+  EXPECT_GT(one_scale.found, 200);
+  EXPECT_GE(hardware.found * 100, one_scale.found * 95);
+  EXPECT_LE(hardware.false_alarms, 1);
+}
 
 TEST(Golden, Photos) {
   const std::vector<LabelledImage> all = photos();

@@ -93,6 +93,56 @@ TEST(Detector, PaperPipelineRefusesOtherGridsByName) {
   EXPECT_NE(refused.error().find("DICT_4X4_50"), std::string::npos);
 }
 
+TEST(Detector, HardwarePipelineReadsMarkersAtAnyAngle) {
+  for (const char* name : {"DICT_4X4_50", "DICT_5X5_50", "DICT_6X6_50", "DICT_7X7_50", "tag36h11"}) {
+    const Dictionary d = dictionary(name);
+    Detector detector = make({.pipeline = Pipeline::hardware}, {d}, 200, 200);
+    for (double degrees = 0; degrees < 360; degrees += 40) {
+      const auto truth = test::turned_square({100.5, 99.25}, 60, degrees);
+      test::Picture picture(200, 200, 220);
+      test::draw_at(picture, d, 7, truth);
+      const Detection found = detector.detect(picture.view());
+      ASSERT_EQ(found.markers.size(), 1U) << name << " at " << degrees;
+      EXPECT_EQ(found.markers[0].id, 7) << name;
+      EXPECT_EQ(found.markers[0].dictionary, name);
+      EXPECT_EQ(found.markers[0].hamming, 0) << name << " at " << degrees;
+      EXPECT_LT(worst_corner(found.markers[0], truth), 0.8) << name << " at " << degrees;
+      for (const Point& corner : found.markers[0].corners) {
+        EXPECT_EQ(corner.x * 16, std::floor(corner.x * 16)) << "sixteenths of a pixel";
+      }
+    }
+  }
+}
+
+TEST(Detector, HardwarePipelineInvertedAndSizeByOption) {
+  const Dictionary d = dictionary("tag36h11");
+  const auto truth = test::turned_square({100.5, 99.25}, 60, 12);
+  test::Picture picture(200, 200, 30);
+  test::draw_at(picture, d, 3, truth, true);
+  Options options{.pipeline = Pipeline::hardware};
+  EXPECT_TRUE(make(options, {d}, 200, 200).detect(picture.view()).markers.empty());
+  options.inverted = true;
+  Detector detector = make(options, {d}, 200, 200);
+  const Detection found = detector.detect(picture.view());
+  ASSERT_EQ(found.markers.size(), 1U);
+  EXPECT_EQ(found.markers[0].id, 3);
+  EXPECT_TRUE(found.markers[0].inverted);
+  EXPECT_LT(worst_corner(found.markers[0], truth), 0.8);
+  options.min_marker_size = 80;
+  EXPECT_TRUE(make(options, {d}, 200, 200).detect(picture.view()).markers.empty());
+  options.min_marker_size = 8;
+  options.max_marker_size = 50;
+  EXPECT_TRUE(make(options, {d}, 200, 200).detect(picture.view()).markers.empty());
+}
+
+TEST(Detector, HardwarePipelineRefusesOtherLayoutsByName) {
+  Options options;
+  options.pipeline = Pipeline::hardware;
+  const auto refused = Detector::create(options, {dictionary("tagStandard41h12")});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("tagStandard41h12"), std::string::npos);
+}
+
 TEST(Detector, PaperPipelineReadsTemplateFiles) {
   const auto d = parse_codes("8 0\nborder included\n0x007e424a5242 7e00\n", "broken");
   EXPECT_FALSE(d);
@@ -190,7 +240,7 @@ TEST(Detector, StreamingRowsGivesTheSameMarkersAndNeverWithdraws) {
   test::Picture picture(300, 240, 128);
   draw_scene(picture, d);
   std::mt19937 random(9);
-  for (const Pipeline pipeline : {Pipeline::paper, Pipeline::standard}) {
+  for (const Pipeline pipeline : {Pipeline::paper, Pipeline::hardware, Pipeline::standard}) {
     for (const bool copy : {false, true}) {
       Options options;
       options.pipeline = pipeline;
@@ -198,7 +248,7 @@ TEST(Detector, StreamingRowsGivesTheSameMarkersAndNeverWithdraws) {
       Detector whole = make(options, {d}, 300, 240);
       Detector streamed = make(options, {d}, 300, 240);
       const Detection expected = whole.detect(picture.view());
-      if (pipeline == Pipeline::standard) {
+      if (pipeline != Pipeline::paper) {
         EXPECT_EQ(expected.markers.size(), 5U) << "two copies of id 1 are both reported";
       }
       for (int round = 0; round < 20; ++round) {

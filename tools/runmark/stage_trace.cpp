@@ -11,11 +11,13 @@
 #include "fitting_detector.h"
 #include "pipeline/contour_scan.h"
 #include "pipeline/halve.h"
+#include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "pipeline/scale_rules.h"
 #include "sample_grid.h"
 #include "threshold/fixed_threshold.h"
 #include "threshold/grey.h"
+#include "threshold/integer_tiles.h"
 #include "threshold/tile_threshold.h"
 
 namespace runmark::cli {
@@ -94,6 +96,21 @@ BitImage threshold_by_tiles(const cv::Mat& grey, const TileRule& rule) {
   return bits;
 }
 
+BitImage threshold_in_integers(const cv::Mat& grey, int min_contrast) {
+  BitImage bits(grey.cols, grey.rows);
+  IntegerTiles tiles(grey.cols);
+  tiles.begin_frame(grey.cols, grey.rows, min_contrast);
+  const auto turn_to_bits = [&] {
+    for (int y = tiles.ready_from(); y < tiles.ready_to(); ++y) tiles.threshold(grey.ptr(y), bits.row(y));
+  };
+  for (int y = 0; y < grey.rows; ++y) {
+    if (tiles.add_row(grey.ptr(y))) turn_to_bits();
+  }
+  tiles.finish();
+  turn_to_bits();
+  return bits;
+}
+
 BitImage preprocess(const BitImage& bits, const cv::Size& size, std::uint8_t cases) {
   BitImage bordered = bits;
   for (int y = 0; y < size.height; ++y) clear_border(bordered.row(y), size.width, y, size.height);
@@ -163,6 +180,22 @@ void trace_paper(StageTrace& result, const Options& options) {
   const BitImage bits = threshold_by_level(result.grey, {options.fixed_threshold, options.above_is_dark});
   result.scales.push_back(follow(bits, result.grey.size(), 1, PaperPipeline::contour_rules(options),
                                  [&](const ClosedChain& chain) { return paper_quad(chain, options); }));
+}
+
+std::optional<Quad> hardware_quad(const ClosedChain& chain, const IntegerQuadLimits& limits) {
+  const auto found = integer_quad(chain, limits);
+  if (!found) return std::nullopt;
+  Quad quad;
+  quad.light_inside = chain.hole;
+  for (std::size_t i = 0; i < 4; ++i) quad.corners[i] = in_pixels(found->corners[i]);
+  return quad;
+}
+
+void trace_hardware(StageTrace& result, const Options& options) {
+  const IntegerQuadLimits limits = HardwarePipeline::quad_limits(options);
+  result.scales.push_back(follow(threshold_in_integers(result.grey, options.min_contrast), result.grey.size(),
+                                 1, HardwarePipeline::contour_rules(options),
+                                 [&](const ClosedChain& chain) { return hardware_quad(chain, limits); }));
 }
 
 void trace_standard(StageTrace& result, const Options& options, const std::vector<Dictionary>& dictionaries) {
@@ -254,6 +287,8 @@ StageTrace trace_stages(const cv::Mat& picture, const Options& asked,
   }
   if (options.pipeline == Pipeline::paper) {
     trace_paper(result, options);
+  } else if (options.pipeline == Pipeline::hardware) {
+    trace_hardware(result, options);
   } else {
     trace_standard(result, options, dictionaries);
   }

@@ -48,7 +48,7 @@ struct StageTrace {
   FrameStats stats;
 };
 
-/// Runs the cores of Options::pipeline (paper or standard) one after the other over a whole picture, grey or
+/// Runs the cores of Options::pipeline one after the other over a whole picture, grey or
 /// BGR. Throws UserError when the detector refuses the options or the picture.
 [[nodiscard]] StageTrace trace_stages(const cv::Mat& picture, const Options& options,
                                       const std::vector<Dictionary>& dictionaries);

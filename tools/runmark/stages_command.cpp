@@ -30,9 +30,6 @@ void write_png(const fs::path& path, const cv::Mat& picture) {
 }
 
 void run_stages(const StagesSettings& settings) {
-  if (settings.detector.options.pipeline == Pipeline::hardware) {
-    throw UserError("--pipeline hardware: stages shows the paper and default pipelines");
-  }
   const std::vector<Dictionary> dictionaries = load_dictionaries(settings.detector);
   const cv::Mat image = read_image(settings.image);
   const StageTrace trace = trace_stages(image, settings.detector.options, dictionaries);
@@ -52,9 +49,11 @@ void run_stages(const StagesSettings& settings) {
   };
   const std::vector<StagePicture> pictures = draw_stages(trace);
   for (const StagePicture& picture : pictures) write(picture.name, picture.caption, picture.picture);
-  const bool paper = settings.detector.options.pipeline == Pipeline::paper;
-  const std::string title =
-      fs::path(settings.image).filename().string() + ", " + (paper ? "paper" : "default") + " pipeline";
+  const Pipeline pipeline = settings.detector.options.pipeline;
+  const std::string name = pipeline == Pipeline::paper      ? "paper"
+                           : pipeline == Pipeline::hardware ? "hardware"
+                                                            : "default";
+  const std::string title = fs::path(settings.image).filename().string() + ", " + name + " pipeline";
   write("sheet", "all of them", draw_sheet(pictures, trace, title));
   output.close();
 }

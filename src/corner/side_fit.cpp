@@ -1,0 +1,74 @@
+#include "corner/side_fit.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace runmark {
+
+SideFit::SideFit(const NumberedVertex& from, const NumberedVertex& to) {
+  const std::int32_t dx = to.x - from.x;
+  const std::int32_t dy = to.y - from.y;
+  across_ = std::abs(dx) >= std::abs(dy);
+  const std::int32_t start = across_ ? from.x : from.y;
+  const std::int32_t end = across_ ? to.x : to.y;
+  const std::int32_t over = across_ ? dy : dx;
+  start_over_ = across_ ? from.y : from.x;
+  backwards_ = end < start;
+  rise_ = backwards_ ? -over : over;
+  middle_over2_ = over;
+  length_ = std::abs(end - start);
+  const std::int32_t margin = length_ < 5 ? 0 : 1 + (length_ >> 4);
+  low_ = std::min(start, end) + margin;
+  high_ = std::max(start, end) - margin;
+}
+
+void SideFit::add(std::int32_t from, std::int32_t to, std::int32_t over) {
+  const std::int32_t a = std::clamp(from, low_, high_);
+  const std::int32_t b = std::clamp(to, low_, high_);
+  const std::int64_t weighted = static_cast<std::int64_t>(b - a) * (over - start_over_);
+  sum_ += weighted;
+  moment_ += weighted * (a + b - low_ - high_);
+}
+
+std::optional<IntegerLine> SideFit::line() const {
+  const std::int64_t n = high_ - low_;
+  if (n < 2) return std::nullopt;
+  const std::int64_t sum = backwards_ ? -sum_ : sum_;
+  const std::int64_t moment = backwards_ ? -moment_ : moment_;
+  // The columns' squared distances from their middle add up to n (n n - 1) / 12.
+  const std::int64_t spread = n * (n * n - 1);
+  constexpr std::int64_t one = std::int64_t{1} << IntegerLine::slope_bits;
+  if (std::abs(moment) * 6 * 2 >= spread * 3) return std::nullopt;  // steeper than 1.5
+  const auto slope = static_cast<std::int32_t>(moment * 6 * one / spread);
+  const auto mean = static_cast<std::int32_t>((sum << subpixel_bits) / n);  // above start_over_
+
+  // Against the rough side: its middle, and its rise.
+  const std::int64_t off_middle = 2 * mean - (std::int64_t{middle_over2_} << subpixel_bits);
+  if (std::abs(off_middle) > 2 * ((2 << subpixel_bits) + length_)) return std::nullopt;
+  const std::int64_t off_rise = slope * std::int64_t{length_} - rise_ * one;
+  if (std::abs(off_rise) > (2 + length_ / 4) * one) return std::nullopt;
+
+  // A crack lies half a pixel before the centre of the pixel behind it.
+  const std::int32_t along = ((low_ + high_) << (subpixel_bits - 1)) - (1 << (subpixel_bits - 1));
+  const std::int32_t over = (start_over_ << subpixel_bits) + mean - (1 << (subpixel_bits - 1));
+  return IntegerLine{across_, across_ ? SubpixelPoint{along, over} : SubpixelPoint{over, along}, slope};
+}
+
+std::optional<SubpixelPoint> meet(const IntegerLine& a, const IntegerLine& b) {
+  constexpr int bits = IntegerLine::slope_bits;
+  constexpr std::int64_t one = std::int64_t{1} << bits;
+  const std::int64_t ax = a.across ? one : a.slope;
+  const std::int64_t ay = a.across ? a.slope : one;
+  const std::int64_t bx = b.across ? one : b.slope;
+  const std::int64_t by = b.across ? b.slope : one;
+  const std::int64_t sine = (ax * by - ay * bx) >> (bits - 2);  // in 1 / 2^16
+  if (std::abs(sine) < one / 4) return std::nullopt;
+  const std::int64_t apart = (b.at.x - a.at.x) * by - (b.at.y - a.at.y) * bx;  // in 1 / 2^14
+  const std::int64_t t = apart * 4 / sine;
+  constexpr std::int64_t farthest = std::int64_t{1} << 17;
+  if (std::abs(t) >= farthest) return std::nullopt;
+  return SubpixelPoint{a.at.x + static_cast<std::int32_t>((t * ax) >> bits),
+                       a.at.y + static_cast<std::int32_t>((t * ay) >> bits)};
+}
+
+}  // namespace runmark
