@@ -3,111 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <cstdint>
 #include <optional>
 
 #include "corner/line_fit.h"
+#include "pattern/bow_fit.h"
 
 namespace runmark {
 namespace {
 
-constexpr int most_samples = 24;  // on each side
-
-/// A side's edge relative to the straight line from corner to corner: its offset outwards at t from 0 to 1
-/// is a + b (t - 1/2) + c (t - 1/2)^2. A lens bows long sides.
-struct Bow {
-  double a = 0;
-  double b = 0;
-  double c = 0;
-  [[nodiscard]] double at(double t) const { return a + (b + c * (t - 0.5)) * (t - 0.5); }
-  [[nodiscard]] double slope(double t) const { return b + 2 * c * (t - 0.5); }
-};
-
-struct EdgeSample {
-  double t = 0;
-  double offset = 0;  // pixels outwards
-  double weight = 0;  // squared contrast
-};
-
-/// The first search weighs by the square, which singles out the strongest edge within reach; the second,
-/// closely round it, weighs the rise itself: its first moment is where an evenly lit pixel grid was cut.
-enum class Weigh : std::uint8_t { square, rise };
-
-/// How far the edge is from `centre`, along the normal; no weight where the grey level does not rise.
-EdgeSample edge_near(const GreyFrame& frame, Point at, Point normal, double centre, double reach, double step,
-                     double sign, Weigh weigh) {
-  const auto grey = [&](double n) {
-    return static_cast<double>(
-        frame.sample(static_cast<float>(at.x + n * normal.x), static_cast<float>(at.y + n * normal.y)));
-  };
-  const int steps = static_cast<int>(std::ceil(reach / step));
-  double weight = 0;
-  double sum = 0;
-  double before = grey(centre - (steps + 0.5) * step);
-  for (int i = -steps; i <= steps; ++i) {
-    const double n = centre + i * step;
-    const double after = grey(n + step / 2);
-    const double rise = sign * (after - before);
-    before = after;
-    if (rise <= 0) continue;
-    const double share = weigh == Weigh::square ? rise * rise : rise;
-    weight += share;
-    sum += share * n;
-  }
-  if (weight <= 0) return {};
-  return {0, sum / weight, weigh == Weigh::square ? weight : weight * weight};
-}
-
-/// Weighted least squares of a Bow through samples, in moments.
-class BowFit {
- public:
-  void add(const EdgeSample& sample) {
-    const double x = sample.t - 0.5;
-    double power = sample.weight;
-    for (std::size_t k = 0; k < 5; ++k, power *= x) {
-      x_[k] += power;
-      if (k < 3) y_[k] += power * sample.offset;
-    }
-    yy_ += sample.weight * sample.offset * sample.offset;
-  }
-
-  [[nodiscard]] Bow straight() const {
-    const double det = x_[0] * x_[2] - x_[1] * x_[1];
-    if (det <= 0) return {y_[0] / x_[0], 0, 0};
-    return {(y_[0] * x_[2] - y_[1] * x_[1]) / det, (x_[0] * y_[1] - x_[1] * y_[0]) / det, 0};
-  }
-
-  /// The parabola where it explains the samples far better than the line does, else the line.
-  [[nodiscard]] Bow bow(int samples) const {
-    constexpr int least_samples = 12;
-    constexpr double clearly_better = 10;
-    const Bow line = straight();
-    if (samples < least_samples) return line;
-    const double m00 = x_[2] * x_[4] - x_[3] * x_[3];
-    const double m01 = x_[2] * x_[3] - x_[1] * x_[4];
-    const double m02 = x_[1] * x_[3] - x_[2] * x_[2];
-    const double m11 = x_[0] * x_[4] - x_[2] * x_[2];
-    const double m12 = x_[1] * x_[2] - x_[0] * x_[3];
-    const double m22 = x_[0] * x_[2] - x_[1] * x_[1];
-    const double det = x_[0] * m00 + x_[1] * m01 + x_[2] * m02;
-    if (det <= 0) return line;
-    const Bow curve{(m00 * y_[0] + m01 * y_[1] + m02 * y_[2]) / det,
-                    (m01 * y_[0] + m11 * y_[1] + m12 * y_[2]) / det,
-                    (m02 * y_[0] + m12 * y_[1] + m22 * y_[2]) / det};
-    const double left = residual(curve);
-    return (residual(line) - left) * (samples - 3) > clearly_better * left ? curve : line;
-  }
-
- private:
-  [[nodiscard]] double residual(const Bow& f) const {
-    return std::max(yy_ - f.a * y_[0] - f.b * y_[1] - f.c * y_[2], 1e-9 * x_[0]);
-  }
-
-  std::array<double, 5> x_{};  // sums of weight * x^k
-  std::array<double, 3> y_{};  // sums of weight * offset * x^k
-  double yy_ = 0;
-};
+constexpr int most_lines = 24;  // of pixels across each side
+constexpr int most_rises = 40;  // between pixels of each
+constexpr double least_window = 1.25;
 
 /// The edge's tangents at the side's two ends: corners are where those of neighbouring sides meet.
 struct SideEdge {
@@ -115,57 +21,194 @@ struct SideEdge {
   Line at_end;
 };
 
-std::optional<SideEdge> refine_side(const GreyFrame& frame, Point a, Point b, double reach, double sign) {
-  constexpr double margin = 0.08;  // of the side at each end, where blur rounds the corner
-  constexpr double least_weight = 16;
-  constexpr double close_reach = 1.5;
-  constexpr double long_side = 48;  // pixels; shorter ones bow too little to tell
-  const Point u{b.x - a.x, b.y - a.y};
-  const double length = std::sqrt(u.x * u.x + u.y * u.y);
-  const Point normal{u.y / length, -u.x / length};  // outwards: the corners go clockwise
-  Bow bow;
-  const auto search = [&](int samples, double within, double step, Weigh weigh) {
+/// One side of the quadrilateral over the pixel rows it crosses, or the columns where it is nearer to level.
+/// `along` counts those lines, `across` the pixels on each. Whole pixels need no interpolation, and the mean
+/// position of the rises between them is where the edge cut the pixels, at any slope.
+class SideEdgeSearch {
+ public:
+  SideEdgeSearch(const GreyFrame& frame, Point a, Point b, bool light_inside)
+      : steep_(std::fabs(b.y - a.y) >= std::fabs(b.x - a.x)),
+        start_{steep_ ? a.y : a.x, steep_ ? a.x : a.y},
+        end_{steep_ ? b.y : b.x, steep_ ? b.x : b.y},
+        length_(std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y))),
+        frame_(frame) {
+    cosine_ = std::fabs(end_.x - start_.x) / length_;
+    // Outwards is to the left hand of a -> b in the image, the corners going clockwise.
+    const bool rises = (end_.x > start_.x) == steep_;
+    sign_ = rises != light_inside ? 1.0 : -1.0;
+  }
+
+  /// @param widest  half the width of a blurred edge may be so much
+  [[nodiscard]] std::optional<SideEdge> find(double reach, double widest) {
+    constexpr double long_side = 48;  // pixels; shorter ones bow too little to tell
+    const double across = reach / cosine_;
+    take_rises(across);
+    if (lines_ < 2) return std::nullopt;
+    Bow bow;
+    if (!coarse(across, bow)) return std::nullopt;
+    double width = window(across, bow);
+    if (width > 0.8 * across && widest > reach) {
+      take_rises(widest / cosine_);
+      width = window(widest / cosine_, bow);
+    }
+    width = std::min(width, std::max(widest / cosine_, least_window));
+    for (int round = 0; round < 2; ++round) {
+      if (!fine(width, length_ > long_side, bow)) return std::nullopt;
+    }
+    if (std::max(std::fabs(bow.at(0)), std::fabs(bow.at(1))) > across + 1) return std::nullopt;
+    return SideEdge{tangent(bow, 0), tangent(bow, 1)};
+  }
+
+ private:
+  [[nodiscard]] double share(int i) const { return (place_[i] - start_.x) / (end_.x - start_.x); }
+
+  void take_rises(double across) {
+    constexpr double margin = 0.06;  // of the side at each end, where blur rounds the corner
+    const double low = std::min(start_.x, end_.x);
+    const double size = std::fabs(end_.x - start_.x);
+    const int along_limit = steep_ ? frame_.height : frame_.width;
+    const int first = std::max(static_cast<int>(std::ceil(low + margin * size)), 0);
+    const int last = std::min(static_cast<int>(std::floor(low + (1 - margin) * size)), along_limit - 1);
+    const int count = last - first + 1;
+    lines_ = std::clamp(count, 0, most_lines);
+    const int half = std::min(static_cast<int>(std::ceil(across)) + 1, (most_rises - 1) / 2);
+    rises_ = 2 * half + 1;
+    const int across_limit = (steep_ ? frame_.width : frame_.height) - 1;
+    const double slope = (end_.y - start_.y) / (end_.x - start_.x);
+    for (int i = 0; i < lines_; ++i) {
+      // Evenly spread over the lines there are.
+      const int place = first + (lines_ == 1 ? 0 : i * (count - 1) / (lines_ - 1));
+      place_[i] = place;
+      const double middle = start_.y + slope * (place - start_.x);
+      const int from = static_cast<int>(std::floor(middle)) - half;
+      first_[i] = from + 0.5 - middle;
+      double before = grey(place, std::clamp(from, 0, across_limit));
+      for (int k = 0; k < rises_; ++k) {
+        const double after = grey(place, std::clamp(from + k + 1, 0, across_limit));
+        rise_[i][k] = sign_ * (after - before);
+        before = after;
+      }
+    }
+  }
+
+  [[nodiscard]] double grey(int along, int across) const {
+    return static_cast<double>(steep_ ? frame_.at(across, along) : frame_.at(along, across));
+  }
+
+  /// Squared rises single out the strongest edge within reach.
+  [[nodiscard]] bool coarse(double across, Bow& bow) const {
+    constexpr double least_weight = 64;
     BowFit fit;
     int clear = 0;
-    for (int i = 0; i < samples; ++i) {
-      const double t = margin + (1 - 2 * margin) * (i + 0.5) / samples;
-      const Point at{a.x + t * u.x, a.y + t * u.y};
-      EdgeSample edge = edge_near(frame, at, normal, bow.at(t), within, step, sign, weigh);
-      if (edge.weight <= least_weight) continue;
-      edge.t = t;
-      fit.add(edge);
+    for (int i = 0; i < lines_; ++i) {
+      double weight = 0;
+      double sum = 0;
+      double n = first_[i];
+      for (int k = 0; k < rises_; ++k, n += 1) {
+        const double rise = std::max(rise_[i][k], 0.0);
+        if (std::fabs(n) > across + 0.5) continue;
+        weight += rise * rise;
+        sum += rise * rise * n;
+      }
+      if (weight < least_weight) continue;
+      fit.add(share(i), weight, sum);
       ++clear;
     }
-    if (clear < 2 || clear < samples / 2) return false;
-    bow = weigh == Weigh::rise && length > long_side ? fit.bow(clear) : fit.straight();
-    return std::max(std::fabs(bow.at(0)), std::fabs(bow.at(1))) <= reach + 1;
-  };
-  const int samples = std::clamp(static_cast<int>(length / 1.5), 4, most_samples);
-  if (!search(std::min(samples, 10), reach, 0.5, Weigh::square)) return std::nullopt;
-  if (!search(samples, std::min(reach, close_reach), 0.5, Weigh::rise)) return std::nullopt;
+    if (clear < 2 || clear < lines_ / 2) return false;
+    bow = fit.straight();
+    return std::max(std::fabs(bow.at(0)), std::fabs(bow.at(1))) <= across + 1;
+  }
 
-  const auto tangent = [&](double t) {
-    const double slope = bow.slope(t);
-    Point across{length * normal.x - slope * u.x / length, length * normal.y - slope * u.y / length};
-    const double size = std::sqrt(across.x * across.x + across.y * across.y);
-    across = {across.x / size, across.y / size};
-    const double offset = bow.at(t);
-    const Point on{a.x + t * u.x + offset * normal.x, a.y + t * u.y + offset * normal.y};
-    return Line{across, across.x * on.x + across.y * on.y};
-  };
-  return SideEdge{tangent(0), tangent(1)};
-}
+  /// Half the width of the window that holds the edge: more where blur has widened it.
+  [[nodiscard]] double window(double across, const Bow& bow) const {
+    double near = 0;
+    double all = 0;
+    for (int i = 0; i < lines_; ++i) {
+      double n = first_[i] - bow.at(share(i));
+      for (int k = 0; k < rises_; ++k, n += 1) {
+        near += std::clamp(1.25 - std::fabs(n), 0.0, 1.0) * rise_[i][k];
+        all += std::clamp(across + 0.5 - std::fabs(n), 0.0, 1.0) * rise_[i][k];
+      }
+    }
+    if (near <= 0) return across;
+    // A Gaussian edge has half of its rise within 0.67 standard deviations on both sides.
+    const double spread = 0.6 * all / near;
+    return std::clamp(1.7 * spread, least_window, std::max(across, least_window));
+  }
+
+  /// The first moment of the rises in a window about the edge found so far. What the window cuts off makes
+  /// the moment move less than the edge does; `gain` is by how much.
+  [[nodiscard]] bool fine(double width, bool may_bow, Bow& bow) const {
+    constexpr double least_rise = 4;
+    constexpr double least_gain = 0.3;
+    double weights[most_lines];
+    double sums[most_lines];
+    double all = 0;
+    double cut = 0;
+    for (int i = 0; i < lines_; ++i) {
+      weights[i] = 0;
+      sums[i] = 0;
+      double n = first_[i] - bow.at(share(i));
+      for (int k = 0; k < rises_; ++k, n += 1) {
+        const double rise = std::max(rise_[i][k], 0.0);
+        const double inside = width + 0.5 - std::fabs(n);
+        if (inside <= 0) continue;
+        const double part = std::min(inside, 1.0) * rise;
+        weights[i] += part;
+        sums[i] += part * n;
+        if (inside < 1) cut += rise * std::fabs(n);
+      }
+      all += weights[i];
+    }
+    const double gain = std::max(1 - cut / std::max(all, 1.0), least_gain);
+    BowFit fit;
+    int clear = 0;
+    for (int i = 0; i < lines_; ++i) {
+      if (weights[i] < least_rise) continue;
+      fit.add(share(i), weights[i], weights[i] * bow.at(share(i)) + sums[i] / gain);
+      ++clear;
+    }
+    if (clear < 2 || clear < lines_ / 2) return false;
+    bow = may_bow ? fit.bow(clear) : fit.straight();
+    return true;
+  }
+
+  [[nodiscard]] Line tangent(const Bow& bow, double t) const {
+    const Point direction{end_.x - start_.x, end_.y - start_.y + bow.slope(t)};
+    const Point on{start_.x + t * (end_.x - start_.x), start_.y + t * (end_.y - start_.y) + bow.at(t)};
+    const double size = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+    const Point normal{-direction.y / size, direction.x / size};
+    const double offset = normal.x * on.x + normal.y * on.y;
+    return steep_ ? Line{{normal.y, normal.x}, offset} : Line{normal, offset};
+  }
+
+  bool steep_;
+  Point start_;  // along, across
+  Point end_;
+  double length_;
+  double cosine_ = 1;
+  double sign_ = 1;
+  const GreyFrame& frame_;
+  int lines_ = 0;
+  int rises_ = 0;
+  int place_[most_lines];
+  double first_[most_lines];  // from the straight side to the first rise
+  double rise_[most_lines][most_rises];
+};
 
 }  // namespace
 
 Quad refine_edges(const GreyFrame& frame, const Quad& quad, int cells, double reach) {
-  const double side = std::sqrt(std::max(area_of(quad.corners), 1.0));
+  const double area = std::max(area_of(quad.corners), 1.0);
+  const double side = std::sqrt(area);
   const double within_cell = std::max(0.8, 0.8 * side / cells);
   const double search = std::min(reach, within_cell);
-  const double sign = quad.light_inside ? -1 : 1;
   std::array<SideEdge, 4> sides{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto edge = refine_side(frame, quad.corners[i], quad.corners[(i + 1) % 4], search, sign);
+    const Point a = quad.corners[i];
+    const Point b = quad.corners[(i + 1) % 4];
+    const double depth = area / std::hypot(b.x - a.x, b.y - a.y) / cells;  // of a cell, across the side
+    const auto edge = SideEdgeSearch(frame, a, b, quad.light_inside).find(search, std::min(0.5 * depth, 8.0));
     if (!edge) return quad;
     sides[i] = *edge;
   }
