@@ -1,7 +1,7 @@
 // Figures of the paper profile that only a simulation can give, as JSON for fpga/synth/report: cycles, record
 // peaks, markers found with 1,023 records and without a limit, waiting times.
 //   rtl_figures [--scenes N] [--upright N] [--check]
-// --check measures these scenes only and returns 1 when one of them misses a target.
+// Returns 1 when a scene misses a target. --check measures these scenes only.
 
 #include <cstdio>
 #include <cstdlib>
@@ -135,6 +135,13 @@ int misses(const Json& scenes) {
 int run(int rendered, int upright, bool check) {
   const auto dictionary = builtin_dictionary(dictionary_name);
   if (!dictionary) return 2;
+  Json figures{{"memory_latency", memory_latency}, {"dictionary", dictionary_name}};
+  if (!check) {
+    for (const unsigned codes : {1U, 50U, 250U, 1000U}) {
+      figures["match"].push_back({{"codes", codes}, {"clocks", match_clocks(codes, memory_latency)}});
+    }
+    figures["growth"] = growth(*dictionary);
+  }
   Measure measure(*dictionary);
   Json scenes = Json::array();
   for (int i = 0; i < rendered; ++i) {
@@ -144,7 +151,6 @@ int run(int rendered, int upright, bool check) {
   for (int i = 0; i < upright; ++i) {
     scenes.push_back(measure(make_scene(*dictionary, 640, 480, random), "upright " + std::to_string(i)));
   }
-  Json figures{{"memory_latency", memory_latency}, {"dictionary", dictionary_name}};
   figures["load"] = measure(paper_load_scene(*dictionary), "paper's load");
   if (!check) {
     for (const int period : {6, 3}) {
@@ -153,14 +159,10 @@ int run(int rendered, int upright, bool check) {
       // The frame after one that was too much.
       scenes.push_back(measure(make_scene(*dictionary, 640, 480, random), "after stripes"));
     }
-    for (const unsigned codes : {1U, 50U, 250U, 1000U}) {
-      figures["match"].push_back({{"codes", codes}, {"clocks", match_clocks(codes, memory_latency)}});
-    }
-    figures["growth"] = growth(*dictionary);
   }
   figures["scenes"] = scenes;
   std::cout << figures.dump(1) << '\n';
-  return check && misses(scenes) != 0 ? 1 : 0;
+  return misses(scenes) != 0 ? 1 : 0;
 }
 
 }  // namespace
