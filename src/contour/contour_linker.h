@@ -51,14 +51,14 @@ class ContourLinker {
   /// closes and obeys the limits. Row y's runs lie on crack line y.
   template <class Sink>
   void row(std::uint16_t y, std::span<const CrackRun> runs, Sink&& sink) {
-    // A run may read the end at a crack that the run before it has just overwritten.
-    int overwritten_at = -1;
-    EndIndex overwritten = 0;
-    for (const CrackRun& run : runs) {
-      const EndIndex left = run.x0 == overwritten_at ? overwritten : end_at_[run.x0];
+    if (runs.empty()) return;
+    EndIndex next_left = end_at_[runs[0].x0];
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const CrackRun& run = runs[i];
+      const EndIndex left = next_left;
       const EndIndex right = end_at_[run.x1];
-      overwritten_at = run.x1;
-      overwritten = right;
+      // Where two runs touch, this one may overwrite the end that the next one is to read.
+      if (i + 1 < runs.size()) next_left = end_at_[runs[i + 1].x0];
       if (run.left_above != run.right_above) {
         shift(run, y, left, right);
       } else if (run.left_above) {
@@ -87,7 +87,12 @@ class ContourLinker {
   static constexpr EndIndex no_end = 0xFFFF;
 
   /// Where a run is left: top runs are followed to the right, bottom runs to the left.
-  static std::uint16_t exit_of(const CrackRun& run) { return run.top ? run.x1 : run.x0; }
+  static std::uint16_t exit_of(const CrackRun& run) { return chosen(run.top, run.x1, run.x0); }
+
+  /// `condition ? a : b` without a branch: in noise the processor would guess wrongly half of the time.
+  static std::uint16_t chosen(bool condition, std::uint16_t a, std::uint16_t b) {
+    return static_cast<std::uint16_t>(b ^ ((a ^ b) & -static_cast<int>(condition)));
+  }
 
   EndIndex take_end() {
     ++open_ends_;
@@ -105,14 +110,14 @@ class ContourLinker {
 
   /// A boundary goes on, shifted sideways from the crack above to the crack below.
   void shift(const CrackRun& run, std::uint16_t y, EndIndex left, EndIndex right) {
-    const EndIndex index = run.left_above ? left : right;
-    end_at_[run.left_above ? run.x1 : run.x0] = index;
+    const EndIndex index = chosen(run.left_above, left, right);
+    end_at_[chosen(run.left_above, run.x1, run.x0)] = index;
     ChainEnd& end = ends_[index];
     if (end.dead) return;
     const bool append = run.top == run.left_above;
-    const RecordIndex record = pool_.take(exit_of(run), y, append ? no_record : end.record);
+    const RecordIndex record = pool_.take(exit_of(run), y, no_record);
     if (record == no_record) return give_up(index, counts_.dropped_full);
-    if (append) pool_.link(end.record, record);
+    pool_.link(chosen(append, end.record, record), chosen(append, record, end.record));
     end.record = record;
     ++end.records;
     if (limits_.drop_early && end.records > limits_.max_records) give_up(index, counts_.dropped_rule);
@@ -134,8 +139,8 @@ class ContourLinker {
   /// Two ends meet: of one chain, which closes, or of two, which become one.
   template <class Sink>
   void join(const CrackRun& run, std::uint16_t y, EndIndex left, EndIndex right, Sink&& sink) {
-    const EndIndex down = run.top ? left : right;
-    const EndIndex up = run.top ? right : left;
+    const EndIndex down = chosen(run.top, left, right);
+    const EndIndex up = chosen(run.top, right, left);
     const bool closes = !ends_[down].dead && !ends_[up].dead && ends_[down].partner == up;
     if (closes) {
       close(run, y, down, up, sink);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -33,7 +34,7 @@ class RecordPool {
       index = static_cast<RecordIndex>(untouched_++);
     }
     records_[index] = {x, y, next};
-    if (++alive_ > peak_) peak_ = alive_;
+    ++alive_;
     return index;
   }
 
@@ -41,20 +42,22 @@ class RecordPool {
   void give_back(RecordIndex head, RecordIndex tail, std::size_t count) {
     records_[tail].next = free_;
     free_ = head;
+    peak_ = peak();
     alive_ -= count;
   }
 
   void link(RecordIndex from, RecordIndex to) { records_[from].next = to; }
   [[nodiscard]] const Record& operator[](RecordIndex index) const { return records_[index]; }
   [[nodiscard]] std::size_t alive() const { return alive_; }
-  [[nodiscard]] std::size_t peak() const { return peak_; }
+  /// The most that were alive at once since the reset.
+  [[nodiscard]] std::size_t peak() const { return std::max(peak_, alive_); }
 
  private:
   std::span<Record> records_;
   RecordIndex free_ = no_record;
   std::size_t untouched_ = 0;
   std::size_t alive_ = 0;
-  std::size_t peak_ = 0;
+  std::size_t peak_ = 0;  // when records were last given back
 };
 
 }  // namespace runmark

@@ -15,20 +15,38 @@ using Indices = std::array<std::size_t, 4>;
 
 struct Outline {
   Vertices vertices;  // clockwise
-  double area = 0;    // of the pixels inside
+  int area = 0;       // of the pixels inside
+  int width = 0;
+  int height = 0;
+  int perimeter = 0;  // in cracks
 };
 
 Outline outline_of(const ClosedChain& chain, std::span<Vertex> scratch) {
-  std::size_t count = 0;
-  std::int64_t area = 0;
-  chain.runs([&](std::uint16_t from, std::uint16_t to, std::uint16_t y) {
-    scratch[count++] = {from, y};
-    scratch[count++] = {to, y};
-    area += static_cast<std::int64_t>(y) * (from - to);
+  Vertex* next = scratch.data();
+  int area = 0;
+  int perimeter = 0;
+  int left = chain.pool->operator[](chain.tail).x;
+  int right = left;
+  int line = chain.bottom;
+  chain.runs([&](int from, int to, int y) {
+    *next++ = {static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(y)};
+    *next++ = {static_cast<std::uint16_t>(to), static_cast<std::uint16_t>(y)};
+    area += y * (from - to);
+    perimeter += std::abs(to - from) + std::abs(y - line);
+    line = y;
+    left = std::min(left, to);
+    right = std::max(right, to);
   });
-  const std::span<Vertex> vertices = scratch.first(count);
+  const std::span<Vertex> vertices(scratch.data(), next);
   if (chain.hole) std::reverse(vertices.begin(), vertices.end());
-  return {vertices, static_cast<double>(std::abs(area))};
+  return {vertices, std::abs(area), right - left, chain.bottom - chain.top, perimeter};
+}
+
+/// Whether the outline may be a quadrilateral's: a convex one fills a good part of the box round it and is
+/// as long as the box's, and a ragged edge makes it a little longer.
+bool may_be_quad(const Outline& o) {
+  const int box = o.width * o.height;
+  return 5 * o.area >= box && o.perimeter <= 3 * (o.width + o.height) + 8;
 }
 
 std::size_t farthest_from(Vertices vertices, int x, int y) {
@@ -147,6 +165,7 @@ std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& 
                                     std::span<Vertex> scratch) {
   const Outline outline = outline_of(chain, scratch);
   if (outline.area < limits.min_area || outline.area > limits.max_area) return std::nullopt;
+  if (!may_be_quad(outline)) return std::nullopt;
   const std::optional<Indices> corners = widest_corners(outline.vertices);
   if (!corners) return std::nullopt;
 

@@ -9,7 +9,7 @@
 
 #include "contour/contour_linker.h"
 #include "preprocess/border.h"
-#include "preprocess/crack_runs.h"
+#include "preprocess/crack_runs_fast.h"
 #include "preprocess/filter.h"
 
 namespace runmark {
@@ -31,7 +31,7 @@ class ContourScan {
         records_(rules.records),
         ends_(max_chain_ends(max_width)),
         end_at_(static_cast<std::size_t>(max_width) + 1),
-        runs_(max_crack_runs(max_width)),
+        runs_(max_crack_runs(max_width) + fast::crack_runs_slack),
         linker_(records_, ends_, end_at_, rules.chains) {
     for (auto& row : raw_) row.resize(bit_words(max_width));
     for (auto& row : clean_) row.resize(bit_words(max_width));
@@ -79,7 +79,7 @@ class ContourScan {
  private:
   template <class Sink>
   void follow(const BitWord* above, const BitWord* current, int y, Sink&& sink) {
-    const std::size_t count = find_crack_runs(above, current, width_, connectivity_, runs_);
+    const std::size_t count = fast::find_crack_runs(above, current, width_, connectivity_, runs_);
     linker_.row(static_cast<std::uint16_t>(y), std::span<const CrackRun>(runs_).first(count), sink);
   }
 

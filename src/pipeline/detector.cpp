@@ -8,6 +8,7 @@
 #include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "pipeline/standard_pipeline.h"
+#include "threshold/grey_fast.h"
 
 namespace runmark {
 namespace {
@@ -145,7 +146,7 @@ class Detector::Impl {
     if (copy) {
       std::uint8_t* kept =
           store_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(region_.width);
-      grey_row(row, region_.width, step_, format_, kept);
+      fast::grey_row(row, region_.width, step_, format_, kept);
       row = kept;
       frame.step = 1;
       frame.format = PixelFormat::grey;

@@ -6,6 +6,7 @@
 
 #include "pipeline/contour_scan.h"
 #include "threshold/tile_threshold.h"
+#include "threshold/tiles_fast.h"
 
 namespace runmark {
 
@@ -50,7 +51,7 @@ class Octave {
   template <class Sink>
   void follow(std::size_t rows, Sink&& sink) {
     for (std::size_t i = 0; i < rows; ++i) {
-      threshold_row(waiting_[i], width_, threshold_.levels(), scan_.next_row());
+      fast::threshold_row(waiting_[i], width_, threshold_.levels(), scan_.next_row());
       scan_.advance(sink);
     }
   }

@@ -6,6 +6,7 @@
 #include "corner/corner_state_machine.h"
 #include "pattern/square_grid.h"
 #include "pipeline/found_markers.h"
+#include "threshold/grey_fast.h"
 
 namespace runmark {
 namespace {
@@ -71,7 +72,7 @@ void PaperPipeline::begin_frame(int width, int height) {
 }
 
 void PaperPipeline::push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) {
-  grey_row(frame.rows[frame.height - 1], frame.width, frame.step, frame.format, grey_.data());
+  fast::grey_row(frame.rows[frame.height - 1], frame.width, frame.step, frame.format, grey_.data());
   threshold_row(grey_.data(), frame.width, threshold_, scan_.next_row());
   scan_.advance([&](const ClosedChain& chain) { consider(chain, frame, found, stats); });
 }

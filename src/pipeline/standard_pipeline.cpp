@@ -5,8 +5,9 @@
 
 #include "pattern/edge_refine.h"
 #include "pipeline/found_markers.h"
-#include "pipeline/halve.h"
+#include "pipeline/halve_fast.h"
 #include "pipeline/scale_rules.h"
+#include "threshold/grey_fast.h"
 
 namespace runmark {
 namespace {
@@ -46,7 +47,7 @@ void StandardPipeline::push_row(const GreyFrame& frame, FoundMarkers& found, Fra
   const std::uint8_t* grey = frame.rows[y];
   if (frame.format != PixelFormat::grey || frame.step != 1) {
     std::uint8_t* converted = scales_[0].rows.row(y);
-    grey_row(grey, frame.width, frame.step, frame.format, converted);
+    fast::grey_row(grey, frame.width, frame.step, frame.format, converted);
     grey = converted;
   }
   push_scaled(0, grey, y, frame, found, stats);
@@ -71,7 +72,7 @@ void StandardPipeline::push_scaled(std::size_t level, const std::uint8_t* grey, 
   const bool whole_frame = level == 0 && frame.format == PixelFormat::grey && frame.step == 1;
   const std::uint8_t* upper = whole_frame ? frame.rows[y - 1] : scale.rows.row(y - 1);
   std::uint8_t* half = next.rows.row(half_y);
-  halve_rows(upper, grey, next.octave.width(), half);
+  fast::halve_rows(upper, grey, next.octave.width(), half);
   push_scaled(level + 1, half, half_y, frame, found, stats);
 }
 

@@ -4,9 +4,12 @@
 
 namespace runmark {
 
-void NoiseFloor::add(const std::uint8_t* lowest, const std::uint8_t* highest, int tiles) {
+void NoiseFloor::add(const std::array<TileExtremes, 3>& bands, int tiles) {
+  const auto& [a, b, c] = bands;
   for (int tile = tile_stride / 2; tile < tiles; tile += tile_stride) {
-    ++counts_[static_cast<std::size_t>(highest[tile] - lowest[tile])];
+    const int low = std::min({a.lowest[tile], b.lowest[tile], c.lowest[tile]});
+    const int high = std::max({a.highest[tile], b.highest[tile], c.highest[tile]});
+    ++counts_[static_cast<std::size_t>(high - low)];
     ++seen_;
   }
 }
@@ -21,8 +24,8 @@ int NoiseFloor::contrast_limit(int minimum) const {
     below += counts_[static_cast<std::size_t>(quartile)];
     ++quartile;
   }
-  // The range of 144 noise values (nine tiles) is 1.5 times that of 16 on average; 2.2 leaves room.
-  return std::clamp(quartile * 11 / 5, minimum, std::max(minimum, highest_limit));
+  // Three quarters more than flat parts show: what is only noise seldom has it.
+  return std::clamp(quartile * 7 / 4, minimum, std::max(minimum, highest_limit));
 }
 
 }  // namespace runmark

@@ -3,12 +3,14 @@
 #include <array>
 #include <cstdint>
 
+#include "threshold/tiles.h"
+
 namespace runmark {
 
-/// Follows the sensor noise of a frame: the lower quartile of the grey ranges of the tiles seen so far.
-/// Flat parts of a picture are what noise alone fills, so the quartile is about the range of sixteen
-/// noise values, and contrasts of a few times it may be noise. Only rows already seen count, so that
-/// streaming and whole frames agree.
+/// Follows the sensor noise of a frame: the lower quartile of the contrasts that the threshold has seen so
+/// far, each the range of grey levels over 3x3 tiles. Flat parts of a picture are what noise alone fills, so
+/// contrasts not much above the quartile may be noise. Only rows already seen count, so that streaming and
+/// whole frames agree.
 class NoiseFloor {
  public:
   void begin_frame() {
@@ -16,8 +18,9 @@ class NoiseFloor {
     seen_ = 0;
   }
 
-  /// Takes every `tile_stride`-th tile of a band: noise does not change from tile to tile.
-  void add(const std::uint8_t* lowest, const std::uint8_t* highest, int tiles);
+  /// Takes every `tile_stride`-th tile of a band between its neighbours: noise does not change from tile to
+  /// tile.
+  void add(const std::array<TileExtremes, 3>& bands, int tiles);
 
   /// The contrast limit to use now: at least `minimum`, and what the noise asks for, up to a cap that
   /// keeps dim markers on textured walls.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "threshold/tiles_fast.h"
+
 namespace runmark {
 
 TileThreshold::TileThreshold(int max_width) {
@@ -22,8 +24,7 @@ void TileThreshold::begin_frame(int width, const TileRule& rule) {
 }
 
 void TileThreshold::add_band(const TileBand& band) {
-  tile_extremes(band, width_, fresh_.lowest.data(), fresh_.highest.data());
-  noise_.add(fresh_.lowest.data(), fresh_.highest.data(), tiles_);
+  fast::tile_extremes(band, width_, fresh_.lowest.data(), fresh_.highest.data());
   std::swap(spread_[0], spread_[1]);
   std::swap(spread_[1], spread_[2]);
   spread_extremes(fresh_.lowest.data(), fresh_.highest.data(), tiles_, spread_[2].lowest.data(),
@@ -41,12 +42,14 @@ void TileThreshold::finish() {
 }
 
 void TileThreshold::find_levels() {
+  if (bands_ < 2) return;
   // Above the first band there is nothing, so the band itself stands in.
   const auto view = [](const Extremes& e) { return TileExtremes{e.lowest.data(), e.highest.data()}; };
   const Extremes& above = bands_ > 2 ? spread_[0] : spread_[1];
-  if (bands_ < 2) return;
+  const std::array bands{view(above), view(spread_[1]), view(spread_[2])};
+  noise_.add(bands, tiles_);
   const TileRule rule{noise_.contrast_limit(rule_.contrast), rule_.share};
-  tile_levels({view(above), view(spread_[1]), view(spread_[2])}, tiles_, rule, levels_.data());
+  fast::tile_levels(bands, tiles_, rule, levels_.data());
 }
 
 std::size_t TileThreshold::memory() const { return sizeof(*this) + levels_.size() * 9; }

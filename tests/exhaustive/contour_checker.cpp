@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "preprocess/crack_runs.h"
+#include "preprocess/crack_runs_fast.h"
 #include "preprocess/filter.h"
 #include "preprocess/filter_table.h"
 
@@ -88,12 +88,12 @@ const char* ContourChecker::follow(Connectivity connectivity) {
   }
 
   const std::size_t most = max_crack_runs(bits_.width());
-  runs_.resize(most * (static_cast<std::size_t>(bits_.height()) + 1));
+  runs_.resize(most * (static_cast<std::size_t>(bits_.height()) + 1) + fast::crack_runs_slack);
   row_ends_.clear();
   std::size_t count = 0;
   for (int y = 0; y <= bits_.height(); ++y) {
-    count += find_crack_runs(bits_.row(y - 1), bits_.row(y), bits_.width(), connectivity,
-                             std::span<CrackRun>(runs_).subspan(count, most));
+    count += fast::find_crack_runs(bits_.row(y - 1), bits_.row(y), bits_.width(), connectivity,
+                             std::span<CrackRun>(runs_).subspan(count));
     row_ends_.push_back(count);
   }
   return count == expected_.runs.size() ? nullptr : "the number of crack runs is wrong";

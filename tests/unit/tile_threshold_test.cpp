@@ -102,13 +102,14 @@ TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
       std::vector<std::uint8_t> low(160, 255);
       std::vector<std::uint8_t> high(160, 0);
       for (std::size_t tile = 0; tile < low.size(); ++tile) {
-        for (int i = 0; i < tile_side * tile_side; ++i) {
+        for (int i = 0; i < 9 * tile_side * tile_side; ++i) {
           const auto value = static_cast<std::uint8_t>(std::clamp(std::lround(noise(random)), 0L, 255L));
           low[tile] = std::min(low[tile], value);
           high[tile] = std::max(high[tile], value);
         }
       }
-      floor.add(low.data(), high.data(), 160);
+      const TileExtremes tiles{low.data(), high.data()};
+      floor.add({tiles, tiles, tiles}, 160);
     }
     const int limit = floor.contrast_limit(5);
     EXPECT_GT(limit, 5.5 * sigma) << "above the usual range of nine tiles of noise";
