@@ -40,7 +40,7 @@ std::optional<IntegerLine> SideFit::line() const {
   constexpr std::int64_t one = std::int64_t{1} << IntegerLine::slope_bits;
   if (std::abs(moment) * 6 * 2 >= spread * 3) return std::nullopt;  // steeper than 1.5
   const auto slope = static_cast<std::int32_t>(moment * 6 * one / spread);
-  const auto mean = static_cast<std::int32_t>((sum << subpixel_bits) / n);  // above start_over_
+  const std::int64_t mean = sum * (1 << subpixel_bits) / n;  // above start_over_
 
   // Against the rough side: its middle, and its rise.
   const std::int64_t off_middle = 2 * mean - (std::int64_t{middle_over2_} << subpixel_bits);
@@ -50,7 +50,8 @@ std::optional<IntegerLine> SideFit::line() const {
 
   // A crack lies half a pixel before the centre of the pixel behind it.
   const std::int32_t along = ((low_ + high_) << (subpixel_bits - 1)) - (1 << (subpixel_bits - 1));
-  const std::int32_t over = (start_over_ << subpixel_bits) + mean - (1 << (subpixel_bits - 1));
+  const std::int32_t over =
+      (start_over_ << subpixel_bits) + static_cast<std::int32_t>(mean) - (1 << (subpixel_bits - 1));
   return IntegerLine{across_, across_ ? SubpixelPoint{along, over} : SubpixelPoint{over, along}, slope};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -45,12 +46,18 @@ class ProjectiveGrid {
     const std::int64_t v = 2 * row + 1;
     const std::int64_t weight = first_ + u * along_ + v * down_;
     if (weight <= 0) return std::nullopt;
-    return SubpixelPoint{origin_.x + static_cast<std::int32_t>((u * x_along_ + v * x_down_) / weight),
-                         origin_.y + static_cast<std::int32_t>((u * y_along_ + v * y_down_) / weight)};
+    return SubpixelPoint{origin_.x + near(u * x_along_ + v * x_down_, weight),
+                         origin_.y + near(u * y_along_ + v * y_down_, weight)};
   }
 
  private:
   static constexpr int weight_bits = 17;
+
+  /// The quotient towards zero, kept to where it is certainly outside of any frame.
+  static std::int32_t near(std::int64_t offset, std::int64_t weight) {
+    constexpr std::int64_t far = std::int64_t{1} << 21;
+    return static_cast<std::int32_t>(std::clamp(offset / weight, -far, far));
+  }
 
   ProjectiveGrid(const std::array<SubpixelPoint, 4>& c, const std::array<std::int64_t, 4>& area, int width)
       : origin_(c[0]),

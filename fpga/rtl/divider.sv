@@ -1,0 +1,38 @@
+// Divides two magnitudes, a bit of the quotient a clock. `divisor` is given shifted up to the weight of the quotient's
+// first bit, so that as many bits as are wanted, fractions too, come out in `steps` clocks.
+module divider #(
+    parameter W = 36,
+    parameter QW = 18
+) (
+    input  logic          clk,
+    input  logic          reset,
+    input  logic          start,
+    input  logic [ W-1:0] dividend,
+    input  logic [ W-1:0] divisor,
+    input  logic [   4:0] steps,
+    output logic          busy,
+    output logic [QW-1:0] quotient,
+    output logic          too_large  // the quotient has more bits
+);
+  logic [W:0] rest;
+  logic [W-1:0] by;
+  logic [4:0] left;
+  wire [W+1:0] less = {1'b0, rest} - {2'b0, by};
+  wire fits = !less[W+1];
+  assign busy = left != '0;
+
+  always_ff @(posedge clk) begin
+    if (start) begin
+      rest <= {1'b0, dividend};
+      by <= divisor;
+      left <= steps;
+      quotient <= '0;
+      too_large <= {1'b0, dividend} >= {divisor, 1'b0};
+    end else if (busy) begin
+      rest <= {fits ? less[W-1:0] : rest[W-1:0], 1'b0};
+      quotient <= {quotient[QW-2:0], fits};
+      left <= left - 1'b1;
+    end
+    if (reset) left <= '0;
+  end
+endmodule
