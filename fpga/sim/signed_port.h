@@ -24,4 +24,20 @@ int signed_part(const Port& port, unsigned index, unsigned bits) {
   return static_cast<int>((value ^ sign) - sign);
 }
 
+/// Sets that number.
+template <class Port>
+void set_part(Port& port, unsigned index, unsigned bits, int value) {
+  for (unsigned b = 0; b < bits; ++b) {
+    const unsigned at = index * bits + b;
+    const bool bit = (value >> b & 1) != 0;
+    if constexpr (requires { port[0]; }) {
+      const std::uint32_t mask = std::uint32_t{1} << (at % 32);
+      port[at / 32] = bit ? port[at / 32] | mask : port[at / 32] & ~mask;
+    } else {
+      const auto mask = static_cast<Port>(Port{1} << at);
+      port = static_cast<Port>(bit ? port | mask : port & ~mask);
+    }
+  }
+}
+
 }  // namespace runmark::rtl
