@@ -37,10 +37,11 @@ std::span<const std::uint8_t> ByteStream::peek(std::size_t count) {
   constexpr std::size_t least = std::size_t{1} << 16U;
   if (buffer_.size() < begin_ + count) buffer_.resize(std::max(least, 2 * (begin_ + count)));
   while (end_ - begin_ < count) {
+    if (!wait_for_input(file_)) break;
     const ssize_t got = ::read(file_, buffer_.data() + end_, buffer_.size() - end_);
     if (got > 0) {
       end_ += static_cast<std::size_t>(got);
-    } else if (got == 0 || (errno == EINTR && interrupted())) {
+    } else if (got == 0) {
       break;
     } else if (errno != EINTR) {
       throw InputError(where_ + ": " + std::strerror(errno));

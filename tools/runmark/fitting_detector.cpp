@@ -1,6 +1,7 @@
 #include "fitting_detector.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include "errors.h"
@@ -14,17 +15,25 @@ Detection FittingDetector::detect(const Frame& frame) {
                      std::string(describe(status)));
   }
   fit(view.width, view.height);
-  const Detection found = detector_->detect(view);
+  const Detection found = current_->detect(view);
   if (found.status == Status::ok) return found;
   throw InputError(frame.source + ": frame " + std::to_string(frame.index) + ": " +
                    std::string(describe(found.status)));
 }
 
 void FittingDetector::fit(int width, int height) {
-  if (detector_ && width <= options_.max_width && height <= options_.max_height) return;
-  options_.max_width = detector_ ? std::max(width, options_.max_width) : width;
-  options_.max_height = detector_ ? std::max(height, options_.max_height) : height;
-  detector_.emplace(value_or_throw(Detector::create(options_, dictionaries_)));
+  static constexpr int most_side = 65535;
+  const auto rounded = [](int side) {
+    return std::min(static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))), most_side);
+  };
+  options_.max_width = rounded(width);
+  options_.max_height = rounded(height);
+  const std::pair size(options_.max_width, options_.max_height);
+  auto known = detectors_.find(size);
+  if (known == detectors_.end()) {
+    known = detectors_.emplace(size, value_or_throw(Detector::create(options_, dictionaries_))).first;
+  }
+  current_ = &known->second;
 }
 
 }  // namespace runmark::cli

@@ -8,4 +8,10 @@ void catch_interrupts();
 
 [[nodiscard]] bool interrupted();
 
+/// Waits until there is something to read, or the file's end. False: Ctrl-C or `stop_waiting` came first.
+[[nodiscard]] bool wait_for_input(int file);
+
+/// Ends every `wait_for_input`, now and later; from any thread.
+void stop_waiting();
+
 }  // namespace runmark::cli
