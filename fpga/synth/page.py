@@ -134,19 +134,26 @@ def stripes(simulation):
                  "clocks in which a chain was given up"], lines)
 
 
-def write(path, figures, places, grown, simulation, yosys):
+def of_synthesis(figures, yosys):
+    return {"figures": sizes(figures) + f"\n\nyosys {yosys}, `synth_xilinx -family xc7`, before placement.",
+            "rates": rates()}
+
+
+def of_the_rest(figures, places, grown, simulation):
+    total = next(f for f in figures if f["core"] == "total")
+    return {"placed": placed(places), "targets": targets(simulation), "waits": waits(simulation),
+            "predicted": predicted(simulation), "load": load(simulation, total), "matches": matches(simulation),
+            "growth": growth(grown, simulation), "stripes": stripes(simulation)}
+
+
+def write(path, blocks):
+    """Puts each block between its two marks."""
     with open(path) as file:
         text = file.read()
-    total = next(f for f in figures if f["core"] == "total")
-    blocks = {"figures": sizes(figures) + f"\n\nyosys {yosys}, `synth_xilinx -family xc7`, before placement.",
-              "placed": placed(places), "rates": rates(), "targets": targets(simulation), "waits": waits(simulation),
-              "predicted": predicted(simulation), "load": load(simulation, total), "matches": matches(simulation),
-              "growth": growth(grown, simulation), "stripes": stripes(simulation)}
     for name, block in blocks.items():
-        begin, end = f"<!-- {name} -->\n", f"\n<!-- end of {name} -->"
-        if begin not in text:
-            raise ValueError(f"{path}: no {begin.strip()}")
-        head, rest = text.split(begin, 1)
-        text = head + begin + "\n" + block + "\n" + end + rest.split(end, 1)[1]
+        begin, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
+        if text.find(begin) < 0 or text.find(end) < text.find(begin):
+            raise ValueError(f"{path}: no {begin} and {end}")
+        text = text[:text.index(begin)] + f"{begin}\n\n{block}\n\n" + text[text.index(end):]
     with open(path, "w") as file:
         file.write(text)

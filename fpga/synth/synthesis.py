@@ -12,7 +12,7 @@ RTL = os.path.join(ROOT, "fpga", "rtl")
 LUTS_OF = {"RAM32M": 4, "RAM64M": 4, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4, "RAM32X1S": 1, "RAM64X1S": 1,
            "SRL16E": 1, "SRLC32E": 1, "INV": 1, "LUT1": 1, "LUT2": 1, "LUT3": 1, "LUT4": 1, "LUT5": 1, "LUT6": 1}
 LISTS = re.compile(r"(pool\.(place|next)|ends|cracks\.memory)$")  # the paper's run lengths and segments
-LINES = re.compile(r"(^|\.)line$")
+LINES = re.compile(r"(^|\.)(line|ring|band|above|levels)$")  # rows of pixels and of tiles
 
 
 class Failed(Exception):
