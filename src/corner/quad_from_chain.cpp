@@ -116,8 +116,9 @@ std::optional<Indices> widest_corners(Vertices vertices) {
 
 Point crack_point(Vertex v) { return {v.x - 0.5, v.y - 0.5}; }
 
-/// The line through the cracks of the outline from one corner to the next. Cracks near the corners are
-/// left out: blur rounds them.
+/// The line through the cracks of the outline from one corner to the next. Cracks near the corners are left
+/// out, because blur rounds them, and those far from the straight way: white cells beside a blurred border
+/// break through it, and the outline goes in there and comes out again.
 std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t to, double tolerance) {
   const Point a = crack_point(vertices[from]);
   const Point b = crack_point(vertices[to]);
@@ -127,6 +128,9 @@ std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t t
   const double margin = std::min(0.15 * length, 1.0 + 0.05 * length);
   const double low = margin * length;
   const double high = (length - margin) * length;
+  const double band = 2.5 * tolerance * length;
+  constexpr double least_covered = 0.4;  // of the way
+  double covered = 0;
   LineFit fit({(a.x + b.x) / 2, (a.y + b.y) / 2});
   const std::size_t count = vertices.size();
   for (std::size_t i = from; i != to;) {
@@ -148,8 +152,14 @@ std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t t
       q = {p.x + t1 * d.x, p.y + t1 * d.y};
       p = {p.x + t0 * d.x, p.y + t0 * d.y};
     }
+    const auto off = [&](Point v) { return (v.x - a.x) * u.y - (v.y - a.y) * u.x; };
+    const double forward = (q.x - p.x) * u.x + (q.y - p.y) * u.y;
+    if (std::fabs(off(p) + off(q)) > 2 * band || std::fabs(off(q) - off(p)) > std::max(band, forward))
+      continue;
+    covered += forward;
     fit.add_cracks(p, q);
   }
+  if (covered < least_covered * (high - low)) return std::nullopt;
   if (fit.mean_square() > tolerance * tolerance) return std::nullopt;
   std::optional<Line> line = fit.line();
   if (!line) return std::nullopt;
@@ -180,7 +190,10 @@ std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& 
     perimeter += side;
   }
   const double spanned = area_of(rough);
-  if (std::fabs(spanned - outline.area) > 0.1 * spanned + 0.5 * perimeter) return std::nullopt;
+  const double missing = spanned - outline.area;
+  if (missing < -0.1 * spanned - 0.5 * perimeter || missing > 0.1 * spanned + 1.5 * perimeter) {
+    return std::nullopt;
+  }
 
   const double tolerance = 0.6 + 0.004 * perimeter;
   std::array<Line, 4> lines{};

@@ -207,7 +207,8 @@ Quad refine_edges(const GreyFrame& frame, const Quad& quad, int cells, double re
   for (std::size_t i = 0; i < 4; ++i) {
     const Point a = quad.corners[i];
     const Point b = quad.corners[(i + 1) % 4];
-    const double depth = area / std::hypot(b.x - a.x, b.y - a.y) / cells;  // of a cell, across the side
+    const double depth = area / std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) /
+                         cells;  // of a cell, across the side
     const auto edge = SideEdgeSearch(frame, a, b, quad.light_inside).find(search, std::min(0.5 * depth, 8.0));
     if (!edge) return quad;
     sides[i] = *edge;

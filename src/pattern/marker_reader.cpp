@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "dictionary/code_distance.h"
+#include "pattern/unblur.h"
+
 namespace runmark {
 namespace {
 
@@ -13,6 +16,28 @@ int overhang_of(const Dictionary& dictionary) {
   int overhang = 0;
   for (const Cell cell : dictionary.cells) overhang = std::max({overhang, -cell.x, -cell.y});
   return overhang;
+}
+
+double distance(Point a, Point b) { return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)); }
+
+/// Grey level at cell coordinates: 0 like the ring inside the square, 1 like that outside.
+double relative_grey(const GreyFrame& frame, const Homography& place, const LightModel& light, double u,
+                     double v) {
+  const Point p = place(u, v);
+  const double grey = static_cast<double>(frame.sample(static_cast<float>(p.x), static_cast<float>(p.y)));
+  const double inside = light.inside.at(u, v);
+  return (grey - inside) / (light.outside.at(u, v) - inside);
+}
+
+/// The share of a cell's light that a Gaussian blur of that standard deviation, in cells, moves into the
+/// next.
+float spill(double blur) {
+  constexpr double step = 0.15;
+  constexpr std::array shares{0.0, 0.0004, 0.0478, 0.1328, 0.1961, 0.2297, 0.2415, 0.2405};
+  const double place = std::min(blur / step, shares.size() - 1.001);
+  const auto below = static_cast<std::size_t>(place);
+  return static_cast<float>(shares[below] +
+                            (place - static_cast<double>(below)) * (shares[below + 1] - shares[below]));
 }
 
 }  // namespace
@@ -74,10 +99,7 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
   static constexpr std::array<std::array<double, 2>, 5> inner{
       {{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}};
   constexpr double small_cell = 5;  // pixels
-  const Point first = place(0, 0);
-  const Point third = place(layout.width, layout.width);
-  const double diagonal =
-      std::sqrt((third.x - first.x) * (third.x - first.x) + (third.y - first.y) * (third.y - first.y));
+  const double diagonal = distance(place(0, 0), place(layout.width, layout.width));
   const std::size_t points = diagonal < 1.41 * small_cell * layout.width ? 1 : inner.size();
 
   // Values of the data cells among their neighbours: 0 like the ring inside the square, 1 like that outside.
@@ -95,12 +117,7 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
     double value = 0;
     for (std::size_t k = 0; k < points; ++k) {
       const auto& [u, v] = inner[k];
-      const double cu = cell.x + u;
-      const double cv = cell.y + v;
-      const Point p = place(cu, cv);
-      const double grey = static_cast<double>(frame.sample(static_cast<float>(p.x), static_cast<float>(p.y)));
-      const double inside = light.inside.at(cu, cv);
-      value += (grey - inside) / (light.outside.at(cu, cv) - inside);
+      value += relative_grey(frame, place, light, cell.x + u, cell.y + v);
     }
     at(cell.x, cell.y) = static_cast<float>(value / static_cast<double>(points));
   }
@@ -121,38 +138,81 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
   return reading;
 }
 
-std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad) const {
-  std::optional<Marker> best;
-  for (const Layout& layout : layouts_) {
-    if (!fits(layout, quad)) continue;
-    const bool reversed = layout.border == Border::reversed;
-    const Homography place(quad.corners, layout.width);
-    const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside, 10);
-    if (!light) continue;
-    Reading reading = sample(frame, place, *light, layout);
-    if (reading.margin < limits_.min_margin) continue;
-    // The model's 1 is the ring outside: white round a black border, black round a reversed one.
-    if (reversed) {
-      const int bits = static_cast<int>(layout.cells.size());
-      const std::uint64_t all = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-      reading.code ^= all;
+bool MarkerReader::look_up(const Reading& reading, const Quad& quad, const Layout& layout,
+                           double most_accepted, Best& best) const {
+  const bool reversed = layout.border == Border::reversed;
+  // The model's 1 is the ring outside: white round a black border, black round a reversed one.
+  const std::size_t bits = layout.cells.size();
+  const std::uint64_t code = reversed ? reading.code ^ (~std::uint64_t{0} >> (64 - bits)) : reading.code;
+  bool found = false;
+  for (const Book& book : layout.books) {
+    const auto match = book.lookup.find(code);
+    if (!match || accepted_share(bits, book.dictionary->codes.size(), match->hamming) > most_accepted)
+      continue;
+    found = true;
+    const double chance = accepted_share(bits, 1, match->hamming);
+    if (chance >= best.chance) continue;
+    Marker marker;
+    marker.dictionary = book.dictionary->name;
+    marker.id = match->id;
+    marker.hamming = match->hamming;
+    marker.margin = reading.margin;
+    marker.inverted = quad.light_inside != reversed;
+    for (std::size_t i = 0; i < 4; ++i) {
+      marker.corners[i] = quad.corners[(i + static_cast<std::size_t>(match->rotation)) % 4];
     }
-    for (const Book& book : layout.books) {
-      const auto match = book.lookup.find(reading.code);
-      if (!match || (best && match->hamming >= best->hamming)) continue;
-      Marker marker;
-      marker.dictionary = book.dictionary->name;
-      marker.id = match->id;
-      marker.hamming = match->hamming;
-      marker.margin = reading.margin;
-      marker.inverted = quad.light_inside != reversed;
-      for (std::size_t i = 0; i < 4; ++i) {
-        marker.corners[i] = quad.corners[(i + static_cast<std::size_t>(match->rotation)) % 4];
-      }
-      best = marker;
+    best = {marker, chance};
+  }
+  return found;
+}
+
+void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, const Homography& place,
+                                  const LightModel& light, const Layout& layout, Best& best) const {
+  constexpr std::array blurs{0.45, 0.6, 0.75};   // standard deviation, of a cell
+  constexpr double largest_cell = 6;             // pixels; blur of half a larger one is rare
+  constexpr double most_accepted = 1 / 16384.0;  // of random readings: small codes would invent markers
+  constexpr float least_margin = 0.25F;          // clear enough that no other cell would do
+  const int width = layout.width;
+  const double side = std::sqrt(area_of(quad.corners));
+  if (layout.overhang > 0 || side > largest_cell * width) return;
+  CellValues cells;
+  cells.width = width;
+  for (int y = 0; y < width; ++y) {
+    for (int x = 0; x < width; ++x) {
+      cells.at(x, y) = static_cast<float>(relative_grey(frame, place, light, x + 0.5, y + 0.5));
     }
   }
-  return best;
+  // A tilted marker's cells are shorter one way, and the same blur carries farther there.
+  const Point left = place(0, width / 2.0);
+  const Point right = place(width, width / 2.0);
+  const Point top = place(width / 2.0, 0);
+  const Point bottom = place(width / 2.0, width);
+  const double across = distance(left, right) / side;
+  const double down = distance(top, bottom) / side;
+  for (const double blur : blurs) {
+    const Unblurred clear = unblur(cells, layout.cells, spill(blur / across), spill(blur / down));
+    const Reading reading{clear.code, clear.margin};
+    if (reading.margin >= std::max(least_margin, limits_.min_margin) &&
+        look_up(reading, quad, layout, most_accepted, best)) {
+      return;
+    }
+  }
+}
+
+std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad) const {
+  Best best;
+  for (const Layout& layout : layouts_) {
+    if (!fits(layout, quad)) continue;
+    const Homography place(quad.corners, layout.width);
+    // Small codes are read into much that is no marker: their border must be the better.
+    const int one_in = layout.cells.size() <= 16 ? 13 : 10;
+    const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside, one_in);
+    if (!light) continue;
+    const Reading reading = sample(frame, place, *light, layout);
+    if (reading.margin >= limits_.min_margin && look_up(reading, quad, layout, 1, best)) continue;
+    read_unblurred(frame, quad, place, *light, layout, best);
+  }
+  return best.marker;
 }
 
 }  // namespace runmark

@@ -27,7 +27,8 @@ class MarkerReader {
  public:
   MarkerReader(const std::vector<Dictionary>& dictionaries, const ReaderLimits& limits);
 
-  /// The marker with the fewest corrected bits among all dictionaries, then the one asked for first.
+  /// The match that chance would make least likely among all dictionaries, by the bits of their codes and
+  /// those corrected; then the one asked for first.
   [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
 
   /// Whether a quadrilateral may have a marker's border: a quick look before its edges are refined.
@@ -63,8 +64,19 @@ class MarkerReader {
     std::uint64_t code = 0;
     float margin = 0;
   };
+  /// The marker read so far and how likely a random square reads as well.
+  struct Best {
+    std::optional<Marker> marker;
+    double chance = 2;
+  };
   [[nodiscard]] static Reading sample(const GreyFrame& frame, const Homography& place,
                                       const LightModel& light, const Layout& layout);
+  void read_unblurred(const GreyFrame& frame, const Quad& quad, const Homography& place,
+                      const LightModel& light, const Layout& layout, Best& best) const;
+  /// Looks the code up in the dictionaries of that layout; false when none has it, or only dictionaries that
+  /// take more than a share of `most_accepted` of random readings for one of their codes.
+  bool look_up(const Reading& reading, const Quad& quad, const Layout& layout, double most_accepted,
+               Best& best) const;
 
   std::vector<Layout> layouts_;
   ReaderLimits limits_;
