@@ -111,6 +111,7 @@ module pattern #(
   logic missed;
   logic [35:0] code;
   logic [4:0] border_errors;
+  wire border_bad = {1'b0, border_errors} > max_errors;  // then no code can match
   wire white = (({1'b0, grey} >= level) == above_is_dark) == marker_hole;
   wire in_border = answered[2:0] == 3'd0 || answered[2:0] == 3'd7 || answered[5:3] == 3'd0 || answered[5:3] == 3'd7;
 
@@ -193,7 +194,8 @@ module pattern #(
         state <= READ;
       end
       READ: state <= WAIT;
-      WAIT: if (answered == asked && !reading && !shape_busy && !area_done) state <= missed || !shape_good ? IDLE : MATCH;
+      WAIT: if (answered == asked && !reading && !shape_busy && !area_done)
+        state <= missed || !shape_good || border_bad ? IDLE : MATCH;
       MATCH: begin
         if (hit) state <= EMIT;
         else if (search_over && marker_rotation == 2'd3) state <= IDLE;

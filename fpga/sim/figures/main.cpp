@@ -3,11 +3,11 @@
 //   rtl_figures [--scenes N] [--upright N] [--check]
 // Returns 1 when a scene misses a target. --check measures these scenes only.
 
-#include <cstdio>
-#include <cstdlib>
+#include <charconv>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "event_counts.h"
 #include "match_clocks.h"
@@ -177,7 +177,13 @@ int main(int argc, char** argv) {
     if (argument == "--check") {
       check = true;
     } else if ((argument == "--scenes" || argument == "--upright") && i + 1 < argc) {
-      (argument == "--scenes" ? rendered : upright) = std::atoi(argv[++i]);
+      int& number = argument == "--scenes" ? rendered : upright;
+      const std::string_view text = argv[++i];
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+      if (error != std::errc{} || end != text.data() + text.size() || number < 0) {
+        std::cerr << "rtl_figures: " << argument << ' ' << text << ": not a number from 0\n";
+        return 2;
+      }
     } else {
       std::cerr << "rtl_figures: unknown argument '" << argument << "' (see the head of its main.cpp)\n";
       return 2;
