@@ -1,5 +1,7 @@
-// Divides two magnitudes, a bit of the quotient a clock. `divisor` is given shifted up to the weight of the quotient's
-// first bit, so that as many bits as are wanted, fractions too, come out in `steps` clocks.
+// Divides two magnitudes, a bit of the quotient a clock, zeros or ones following the dividend's last bit. `divisor` is
+// given shifted up to the weight of the quotient's first bit.
+//
+// The quotient has one bit more than is wanted: when the first is set it is too large for the others.
 module divider #(
     parameter W = 36,
     parameter QW = 18
@@ -8,11 +10,11 @@ module divider #(
     input  logic          reset,
     input  logic          start,
     input  logic [ W-1:0] dividend,
+    input  logic          ones,      // what follows the dividend
     input  logic [ W-1:0] divisor,
     input  logic [   4:0] steps,
     output logic          busy,
-    output logic [QW-1:0] quotient,
-    output logic          too_large  // the quotient has more bits
+    output logic [QW-1:0] quotient
 );
   logic [W:0] rest;
   logic [W-1:0] by;
@@ -27,9 +29,8 @@ module divider #(
       by <= divisor;
       left <= steps;
       quotient <= '0;
-      too_large <= {1'b0, dividend} >= {divisor, 1'b0};
     end else if (busy) begin
-      rest <= {fits ? less[W-1:0] : rest[W-1:0], 1'b0};
+      rest <= {fits ? less[W-1:0] : rest[W-1:0], ones};
       quotient <= {quotient[QW-2:0], fits};
       left <= left - 1'b1;
     end

@@ -47,12 +47,16 @@ module quad #(
   localparam CW = XW + 1;                   // of a signed place or difference of places
   localparam MW = 2 * CW > 18 ? 2 * CW : 18;  // of a multiplier's first factor; the second has 18 bits
   localparam PW = MW + 18;
-  localparam SUM = 2 * XW + 2 * YW + 4;     // of a sum over all cracks of an image, by place and distance
-  localparam DW = 3 * XW + 6 > 38 ? 3 * XW + 6 : 38;
+  localparam VW = 2 * CW + 2;               // of an area in a scan
+  localparam SUM = 2 * XW + YW + 2;         // of a sum over all cracks of an image by their place,
+  localparam MOM = 2 * XW + 2 * YW + 2;     // and by their distance too
+  localparam RW2 = 3 * XW + 3;              // of three lengths multiplied
+  localparam DW = RW2 + 2 > 36 ? RW2 + 2 : 36;
+  localparam FAR = XW + 5;                   // bits of a distance in sixteenths that no image is wide
 
   localparam [5:0] IDLE = 6'd0, TAIL = 6'd1, TAIL_IN = 6'd2, READ = 6'd3, RECORD_IN = 6'd4, VERTEX_1 = 6'd5,
       VERTEX_2 = 6'd6, VERTICES = 6'd7, AREA = 6'd8, SCAN_SET = 6'd9, SCAN_LINE = 6'd10, SCAN = 6'd11,
-      SCANNED = 6'd12, SORT = 6'd13, SIDES = 6'd14, SIDE_LENGTH = 6'd15, SPAN = 6'd16, SPANNED = 6'd17, FILLED = 6'd18,
+      SCANNED = 6'd12, TURN_ROUND = 6'd13, SIDES = 6'd14, SIDE_LENGTH = 6'd15, SPAN = 6'd16, SPANNED = 6'd17, FILLED = 6'd18,
       UPRIGHT = 6'd19, UPRIGHT_END = 6'd20, LEVEL = 6'd21, LEVEL_END = 6'd22, SEGMENT_1 = 6'd23, SEGMENT_2 = 6'd24,
       SEGMENT_3 = 6'd25, SEGMENT_4 = 6'd26, SEGMENT_5 = 6'd27, SEGMENT_6 = 6'd28, SETUP_1 = 6'd29, SETUP_2 = 6'd30,
       SETUP_3 = 6'd31, SETUP_4 = 6'd32, SOLVE_1 = 6'd33, SOLVE_2 = 6'd34, SOLVE_3 = 6'd35, SOLVE_4 = 6'd36,
@@ -96,29 +100,31 @@ module quad #(
   // The multipliers: factors, a clock later products.
   logic signed [MW-1:0] f1, f2;
   logic signed [17:0] g1, g2;
-  logic signed [PW-1:0] p1, p2;
+  logic signed [PW-1:0] p1;
+  logic signed [SW+18:0] p2;  // no use is longer
   always_ff @(posedge clk) begin
     p1 <= f1 * g1;
-    p2 <= f2 * g2;
+    p2 <= (SW + 19)'(f2 * g2);
   end
   wire signed [SW+3:0] whole_1 = p1[SW+17:14];
   wire signed [SW+3:0] whole_2 = p2[SW+17:14];
-  wire signed [PW:0] p_sum = (PW + 1)'(p1) + (PW + 1)'(p2);
-  wire signed [PW:0] p_difference = (PW + 1)'(p1) - (PW + 1)'(p2);
+  wire signed [VW-1:0] p_sum = p1[VW-1:0] + p2[VW-1:0];
+  wire signed [SW+18:0] p_difference = p1[SW+18:0] - p2[SW+18:0];
 
-  wire [PW:0] p_difference_size = p_difference[PW] ? -p_difference : p_difference;
+  wire signed [VW-1:0] p_area = p_difference[VW-1:0];
+  wire [VW-1:0] p_area_size = p_area[VW-1] ? -p_area : p_area;
 
-  logic divide, dividing, too_large;
+  logic divide, dividing;
   logic [DW-1:0] dividend, divisor;
   logic [4:0] steps;
   logic [17:0] quotient;
   divider #(.W(DW), .QW(18)) divider_i (
-      .clk(clk), .reset(reset), .start(divide), .dividend(dividend), .divisor(divisor), .steps(steps),
-      .busy(dividing), .quotient(quotient), .too_large(too_large));
+      .clk(clk), .reset(reset), .start(divide), .dividend(dividend), .ones(1'b0), .divisor(divisor),
+      .steps(steps), .busy(dividing), .quotient(quotient));
 
   // The first walk: area and extremes.
   logic signed [SUM-1:0] area;
-  logic [SUM-1:0] area_size;
+  logic [AW:0] area_size;
   logic [XW-1:0] point_x;
   logic [YW-1:0] point_y;
   logic [NW-1:0] point_number;
@@ -136,7 +142,7 @@ module quad #(
   logic [YW-1:0] base_y, best_y, left_y, point_y_1, point_y_2;
   logic [NW-1:0] base_number, best_number, left_number, point_number_1, point_number_2;
   logic signed [CW-1:0] u_x, u_y;
-  logic signed [PW:0] best, left;
+  logic signed [VW-1:0] best, left;
   wire distances = scan < 3'd2;
   wire crosswise = scan[0];  // of the line scans: from b to d
   wire signed [CW-1:0] from_base_x = wide_x(point_x) - wide_x(base_x);
@@ -144,15 +150,13 @@ module quad #(
   // What is scanned from, and the other end of the line.
   wire [1:0] base_corner = distances ? 2'd0 : {1'b0, crosswise};
   wire [1:0] end_corner = {1'b1, crosswise};
-  logic [1:0] sort_at;
-  always_comb begin
-    case (count[2:0])
-      3'd1, 3'd4: sort_at = 2'd1;
-      3'd2: sort_at = 2'd2;
-      default: sort_at = 2'd0;
-    endcase
-  end
-  wire [1:0] sort_next = sort_at + 1'b1;
+  // A hole is followed the other way round.
+  wire [XW+YW+NW-1:0] of_best = {best_x, best_y, best_number};
+  wire [XW+YW+NW-1:0] of_left = {left_x, left_y, left_number};
+  wire [XW+YW+NW-1:0] first_pick = hole && !distances ? of_left : of_best;
+  wire [XW+YW+NW-1:0] second_pick = hole || distances ? of_best : of_left;
+  logic round;  // the corners move up by one
+  assign round = (state == TURN_ROUND && corner_number[0] > corner_number[3]) || (state == SIDE_LENGTH) || (state == LINE) || (state == PLACE_5);
 
   // A side.
   logic [1:0] side;
@@ -166,22 +170,24 @@ module quad #(
   logic [XW+3:0] perimeter;
   logic signed [CW-1:0] segment_from, segment_to, segment_over, segment_a, segment_b;
   logic signed [CW+1:0] segment_x;
-  logic signed [SUM-1:0] sum, moment;
-  logic [SUM-1:0] sum_size, moment_size;
+  logic signed [SUM-1:0] sum;
+  logic signed [MOM-1:0] moment;
+  logic [SUM-1:0] sum_size;
+  logic [MOM-1:0] moment_size;
   logic [CW-1:0] columns;
   logic signed [15:0] slope;
   logic signed [XW+5:0] mean;
   wire [CW-1:0] rise_room = CW'(2) + (length >> 2);
   wire [CW-1:0] margin = length < CW'(5) ? '0 : CW'(1) + (length >> 4);
-  wire signed [CW-1:0] from_x = wide_x(corner_x[side]);
-  wire signed [CW-1:0] from_y = wide_y(corner_y[side]);
-  wire signed [CW-1:0] to_corner_x = wide_x(corner_x[next_side]);
-  wire signed [CW-1:0] to_corner_y = wide_y(corner_y[next_side]);
+  wire signed [CW-1:0] from_x = wide_x(corner_x[0]);
+  wire signed [CW-1:0] from_y = wide_y(corner_y[0]);
+  wire signed [CW-1:0] to_corner_x = wide_x(corner_x[1]);
+  wire signed [CW-1:0] to_corner_y = wide_y(corner_y[1]);
   wire [CW-1:0] size_x = magnitude(side_x);
   wire [CW-1:0] size_y = magnitude(side_y);
   wire [CW-1:0] longer = size_x >= size_y ? size_x : size_y;
   wire [CW-2:0] half_shorter = size_x >= size_y ? size_y[CW-1:1] : size_x[CW-1:1];
-  wire meets_corner = active ? number == corner_number[next_side] : number == corner_number[0];
+  wire meets_corner = number == (active ? corner_number[1] : corner_number[0]);
   function automatic signed [CW-1:0] clamped(input signed [CW-1:0] v);
     clamped = v < low ? low : v > high ? high : v;
   endfunction
@@ -191,12 +197,12 @@ module quad #(
   logic signed [SW-1:0] line_x[0:3];
   logic signed [SW-1:0] line_y[0:3];
   logic signed [15:0] line_slope[0:3];
-  wire [1:0] last_side = side - 1'b1;
   localparam signed [15:0] ONE = 16'sd16384;
   logic signed [15:0] a_x, a_y, b_x, b_y;
   logic signed [SW:0] apart_x, apart_y;
-  logic signed [PW:0] sine, apart;
-  logic [PW:0] sine_size;
+  logic signed [19:0] sine;
+  logic signed [SW+18:0] apart;
+  logic [19:0] sine_size;
   logic [DW-3:0] apart_size;
   logic signed [17:0] t;
   logic signed [SW+3:0] meet_x, meet_y, off_x, off_y;
@@ -211,13 +217,13 @@ module quad #(
   assign quad_y = {out_y[3], out_y[2], out_y[1], out_y[0]};
 
   // Tests whose terms are registered a state before.
-  logic signed [PW:0] off_rise;
+  logic signed [CW+16:0] off_rise;
   logic signed [XW+6:0] off_middle;
-  wire [PW:0] off_rise_size = off_rise[PW] ? -off_rise : off_rise;
+  wire [CW+16:0] off_rise_size = off_rise[CW+16] ? -off_rise : off_rise;
   wire [XW+6:0] off_middle_size = off_middle[XW+6] ? -off_middle : off_middle;
-  logic [SUM-1:0] spanned;  // twice the area of the rough corners
-  wire signed [SUM:0] span_off = $signed({1'b0, spanned}) - $signed({area_size, 1'b0});
-  wire [SUM:0] span_off_size = span_off[SUM] ? -span_off : span_off;
+  logic [VW-1:0] spanned;  // twice the area of the rough corners
+  wire signed [VW:0] span_off = $signed({1'b0, spanned}) - $signed((VW + 1)'({area_size, 1'b0}));
+  wire [VW:0] span_off_size = span_off[VW] ? -span_off : span_off;
 
   always_ff @(posedge clk) begin
     divide <= 1'b0;
@@ -269,12 +275,12 @@ module quad #(
 
       AREA: begin
         // The extremes take in the last vertex meanwhile.
-        area_size <= area[SUM-1] ? -area : area;
+        area_size <= area[SUM-1] ? (AW + 1)'(-area) : (AW + 1)'(area);
         count <= count + 1'b1;
         scan <= '0;
         if (count == 5'd2) begin
           count <= '0;
-          state <= area_size < SUM'(min_area) || area_size > SUM'(max_area) ? RELEASE : SCAN_SET;
+          state <= area_size < {1'b0, min_area} || area_size > {1'b0, max_area} ? RELEASE : SCAN_SET;
         end
       end
 
@@ -302,53 +308,35 @@ module quad #(
         {point_x_1, point_y_1, point_number_1} <= {point_x, point_y, point_number};
         {point_x_2, point_y_2, point_number_2} <= {point_x_1, point_y_1, point_number_1};
         if (count >= 5'd2) begin
-          if ((distances ? p_sum : p_difference) > best) begin
-            best <= distances ? p_sum : p_difference;
+          if ((distances ? p_sum : p_area) > best) begin
+            best <= distances ? p_sum : p_area;
             {best_x, best_y, best_number} <= {point_x_2, point_y_2, point_number_2};
           end
-          if (p_difference < left) begin
-            left <= p_difference;
+          if (p_area < left) begin
+            left <= p_area;
             {left_x, left_y, left_number} <= {point_x_2, point_y_2, point_number_2};
           end
         end
         count <= count + 1'b1;
         if (count == 5'd17) state <= SCANNED;
       end
-      SCANNED: begin
-        if (distances) begin
-          corner_x[{scan[0], 1'b0}] <= best_x;
-          corner_y[{scan[0], 1'b0}] <= best_y;
-          corner_number[{scan[0], 1'b0}] <= best_number;
-        end else begin
-          corner_x[crosswise?2:3] <= best_x;
-          corner_y[crosswise?2:3] <= best_y;
-          corner_number[crosswise?2:3] <= best_number;
-          corner_x[crosswise?0:1] <= left_x;
-          corner_y[crosswise?0:1] <= left_y;
-          corner_number[crosswise?0:1] <= left_number;
-        end
+      SCANNED: begin  // the corners in the order of the chain, but for which is the first
         count <= '0;
         scan <= scan + 1'b1;
-        state <= scan == 3'd5 ? SORT : SCAN_SET;
+        state <= scan == 3'd5 ? TURN_ROUND : SCAN_SET;
       end
-      SORT: begin
-        if (corner_number[sort_next] < corner_number[sort_at]) begin
-          corner_x[sort_at] <= corner_x[sort_next];
-          corner_y[sort_at] <= corner_y[sort_next];
-          corner_number[sort_at] <= corner_number[sort_next];
-          corner_x[sort_next] <= corner_x[sort_at];
-          corner_y[sort_next] <= corner_y[sort_at];
-          corner_number[sort_next] <= corner_number[sort_at];
-        end
-        count <= count + 1'b1;
+      TURN_ROUND: begin  // until the first along the chain is the first
         side <= '0;
         perimeter <= '0;
-        if (count == 5'd5) state <= SIDES;
+        if (corner_number[0] == corner_number[1] || corner_number[1] == corner_number[2]
+            || corner_number[2] == corner_number[3] || corner_number[3] == corner_number[0]) state <= RELEASE;
+        else if (corner_number[0] < corner_number[3] || count == 5'd4) state <= SIDES;
+        count <= count + 1'b1;
       end
       SIDES: begin
         side_x <= to_corner_x - from_x;
         side_y <= to_corner_y - from_y;
-        state <= side != 2'd3 && corner_number[side] == corner_number[next_side] ? RELEASE : SIDE_LENGTH;
+        state <= SIDE_LENGTH;
       end
       SIDE_LENGTH: begin
         perimeter <= perimeter + (XW + 4)'(longer) + (XW + 4)'(half_shorter);
@@ -364,7 +352,7 @@ module quad #(
       end
       SPANNED: state <= FILL;
       FILL: begin
-        spanned <= SUM'(p_difference_size);
+        spanned <= p_area_size;
         state <= FILLED;
       end
       FILLED: begin
@@ -372,7 +360,7 @@ module quad #(
         record <= head;
         number <= '0;
         active <= 1'b0;
-        state <= span_off_size > (SUM + 1)'(spanned[SUM-1:3]) + (SUM + 1)'(perimeter) ? RELEASE : READ;
+        state <= span_off_size > (VW + 1)'(spanned[VW-1:3]) + (VW + 1)'(perimeter) ? RELEASE : READ;
       end
 
       // The second walk.
@@ -423,7 +411,7 @@ module quad #(
       end
       SEGMENT_5: state <= SEGMENT_6;
       SEGMENT_6: begin
-        moment <= moment + SUM'(p1);
+        moment <= moment + MOM'(p1);
         state <= from_level ? LEVEL_END : UPRIGHT_END;
       end
 
@@ -462,17 +450,13 @@ module quad #(
       // The line of a side.
       SOLVE_1: begin
         columns <= high - low;
-        if (backwards) begin
-          sum <= -sum;
-          moment <= -moment;
-        end
         state <= SOLVE_2;
       end
       SOLVE_2: begin
         f1 <= MW'($signed(columns));
         g1 <= 18'($signed(columns));
         sum_size <= sum[SUM-1] ? -sum : sum;
-        moment_size <= moment[SUM-1] ? -moment : moment;
+        moment_size <= moment[MOM-1] ? -moment : moment;
         state <= columns < CW'(2) ? RELEASE : SOLVE_3;
       end
       SOLVE_3: state <= SOLVE_4;
@@ -482,52 +466,48 @@ module quad #(
       end
       SOLVE_5: state <= SOLVE_6;
       SOLVE_6: begin  // the product is the spread
-        dividend <= DW'({moment_size, 2'b0}) + DW'({moment_size, 1'b0});
-        divisor <= DW'(p1);
+        dividend <= DW'({moment_size[RW2-3:0], 2'b0}) + DW'({moment_size[RW2-3:0], 1'b0});
+        divisor <= DW'(p1[RW2-1:0]);
         steps <= 5'd15;
         divide <= 1'b1;
-        state <= (SUM + 2)'(p1) <= {moment_size, 2'b0} ? RELEASE : SLOPE;
+        state <= moment_size[MOM-1:RW2-2] != '0 || p1[RW2-1:0] <= {moment_size[RW2-3:0], 2'b0} ? RELEASE : SLOPE;
       end
       SLOPE: if (!divide && !dividing) begin
-        slope <= moment[SUM-1] ? -$signed(quotient[15:0]) : $signed(quotient[15:0]);
+        slope <= moment[MOM-1] != backwards ? -$signed(quotient[15:0]) : $signed(quotient[15:0]);
         dividend <= DW'(sum_size);
-        divisor <= DW'(columns) << (XW - 1);
-        steps <= 5'(XW + 4);
+        divisor <= DW'(columns) << XW;
+        steps <= 5'(XW + 5);
         divide <= 1'b1;
-        state <= sum_size[SUM-1:2*XW+2] != '0 ? RELEASE : MEAN;
+        state <= MEAN;
       end
       MEAN: begin
         f1 <= MW'(slope);
         g1 <= 18'($signed(length));
         if (!divide && !dividing) begin
-          mean <= sum[SUM-1] ? -$signed({2'b0, quotient[XW+3:0]}) : $signed({2'b0, quotient[XW+3:0]});
-          state <= too_large ? RELEASE : MEAN_IN;
+          mean <= sum[SUM-1] != backwards ? -$signed({2'b0, quotient[XW+3:0]}) : $signed({2'b0, quotient[XW+3:0]});
+          state <= quotient[XW+4] ? RELEASE : MEAN_IN;
         end
       end
       MEAN_IN: begin
         off_middle <= (XW + 7)'(mean) - ((XW + 7)'(over) <<< 3);
-        off_rise <= (PW + 1)'(p1) - ((PW + 1)'(rise) <<< 14);
+        off_rise <= p1[CW+16:0] - ((CW + 17)'(rise) <<< 14);
         state <= OFF;
       end
       OFF: state <= off_middle_size > (XW + 7)'(32) + (XW + 7)'(length)
-          || off_rise_size > (PW + 1)'({rise_room, 14'b0}) ? RELEASE : LINE;
+          || off_rise_size > (CW + 17)'({rise_room, 14'b0}) ? RELEASE : LINE;
       LINE: begin
-        line_across[side] <= across;
-        line_x[side] <= (across ? along_place : over_place) - SW'(8);
-        line_y[side] <= (across ? over_place : along_place) - SW'(8);
-        line_slope[side] <= slope;
         side <= next_side;
         state <= side == 2'd3 ? MEET_1 : SETUP_1;
       end
 
       // Where the line of a side meets the one before.
       MEET_1: begin
-        a_x <= line_across[last_side] ? ONE : line_slope[last_side];
-        a_y <= line_across[last_side] ? line_slope[last_side] : ONE;
-        b_x <= line_across[side] ? ONE : line_slope[side];
-        b_y <= line_across[side] ? line_slope[side] : ONE;
-        apart_x <= (SW + 1)'(line_x[side]) - (SW + 1)'(line_x[last_side]);
-        apart_y <= (SW + 1)'(line_y[side]) - (SW + 1)'(line_y[last_side]);
+        a_x <= line_across[3] ? ONE : line_slope[3];
+        a_y <= line_across[3] ? line_slope[3] : ONE;
+        b_x <= line_across[0] ? ONE : line_slope[0];
+        b_y <= line_across[0] ? line_slope[0] : ONE;
+        apart_x <= (SW + 1)'(line_x[0]) - (SW + 1)'(line_x[3]);
+        apart_y <= (SW + 1)'(line_y[0]) - (SW + 1)'(line_y[3]);
         state <= MEET_2;
       end
       MEET_2: begin
@@ -543,28 +523,28 @@ module quad #(
         state <= MEET_4;
       end
       MEET_4: begin
-        sine <= p_difference >>> 12;
+        sine <= p_difference[31:12];
         state <= MEET_5;
       end
       MEET_5: begin
-        apart <= p_difference;
-        sine_size <= sine[PW] ? -sine : sine;
+        apart <= p_difference[SW+18:0];
+        sine_size <= sine[19] ? -sine : sine;
         state <= MEET_6;
       end
       MEET_6: begin
-        apart_size <= apart[PW] ? (DW - 2)'(-apart) : (DW - 2)'(apart);
-        state <= sine_size < (PW + 1)'(4096) ? RELEASE : REACH;
+        apart_size <= apart[SW+18] ? (DW - 2)'(-apart) : (DW - 2)'(apart);
+        state <= sine_size < 20'd4096 ? RELEASE : REACH;
         count <= '0;
       end
       REACH: begin
-        dividend <= DW'(apart_size) << 2;
-        divisor <= DW'(sine_size) << 16;
-        steps <= 5'd17;
+        dividend <= DW'({apart_size, 2'b0});
+        divisor <= DW'(sine_size) << FAR;
+        steps <= 5'(FAR + 1);
         divide <= count == '0;
         count <= 5'd1;
         if (count != '0 && !divide && !dividing) begin
-          t <= apart[PW] != sine[PW] ? -$signed(quotient) : $signed(quotient);
-          state <= too_large ? RELEASE : PLACE_1;
+          t <= apart[SW+18] != sine[19] ? -$signed(quotient) : $signed(quotient);
+          state <= quotient[FAR] ? RELEASE : PLACE_1;
         end
       end
       PLACE_1: begin
@@ -576,8 +556,8 @@ module quad #(
       end
       PLACE_2: state <= PLACE_3;
       PLACE_3: begin
-        meet_x <= (SW + 4)'(line_x[last_side]) + whole_1;
-        meet_y <= (SW + 4)'(line_y[last_side]) + whole_2;
+        meet_x <= (SW + 4)'(line_x[3]) + whole_1;
+        meet_y <= (SW + 4)'(line_y[3]) + whole_2;
         state <= PLACE_4;
       end
       PLACE_4: begin
@@ -600,6 +580,32 @@ module quad #(
       RELEASE: if (release_ready) state <= good ? EMIT : IDLE;
       default: if (quad_ready) state <= IDLE;
     endcase
+    if (state == SCANNED) begin
+      if (scan == '0 || (!distances && crosswise)) {corner_x[0], corner_y[0], corner_number[0]} <= first_pick;
+      if (scan == 3'd1 || (!distances && crosswise)) {corner_x[2], corner_y[2], corner_number[2]} <= second_pick;
+      if (!distances && !crosswise) begin
+        {corner_x[1], corner_y[1], corner_number[1]} <= first_pick;
+        {corner_x[3], corner_y[3], corner_number[3]} <= second_pick;
+      end
+    end else if (round) begin
+      for (int i = 0; i < 4; i++) begin
+        corner_x[i] <= corner_x[(i+1)%4];
+        corner_y[i] <= corner_y[(i+1)%4];
+        corner_number[i] <= corner_number[(i+1)%4];
+      end
+    end
+    if (state == LINE || state == PLACE_5) begin
+      for (int i = 0; i < 3; i++) begin
+        line_across[i] <= line_across[i+1];
+        line_x[i] <= line_x[i+1];
+        line_y[i] <= line_y[i+1];
+        line_slope[i] <= line_slope[i+1];
+      end
+      line_across[3] <= state == LINE ? across : line_across[0];
+      line_x[3] <= state == LINE ? (across ? along_place : over_place) - SW'(8) : line_x[0];
+      line_y[3] <= state == LINE ? (across ? over_place : along_place) - SW'(8) : line_y[0];
+      line_slope[3] <= state == LINE ? slope : line_slope[0];
+    end
     // A corner that was placed counts only with all four.
     if (state != PLACE_5 && state != RELEASE && state != EMIT) good <= 1'b0;
     if (reset) state <= IDLE;

@@ -55,9 +55,10 @@ module quad_pattern #(
   localparam FW = 25;            // of a multiplier's factors
   localparam GW = SW + 2;
   localparam PW = FW + GW;
-  localparam KW = 2 * SW + 3;    // of twice a triangle's area
-  localparam NW = SW + 26;       // of a sample's place times its weight
-  localparam WW = 24;            // of a weight
+  localparam KW = 2 * SW + 2;    // of twice a triangle's area
+  localparam BITS = 14;          // kept of the largest of them
+  localparam NW = SW + BITS + 7;  // of a sample's place times its weight
+  localparam WW = BITS + 7;      // of a weight
 
   localparam [4:0] IDLE = 5'd0, CROSS = 5'd1, SHRINK = 5'd2, ALONG = 5'd3, DOWN = 5'd4, ALONG_IN = 5'd5, DOWN_IN = 5'd6,
       FIRST_IN = 5'd7, BEGIN = 5'd8, SAMPLE = 5'd9, LIGHT_1 = 5'd10, LIGHT_2 = 5'd11, LIGHT_3 = 5'd12, LIGHT_4 = 5'd13,
@@ -107,9 +108,9 @@ module quad_pattern #(
   endfunction
 
   // The projective map.
-  logic signed [KW-1:0] k[0:3];
-  wire k_large = (|k[0][KW-1:17]) || (|k[1][KW-1:17]) || (|k[2][KW-1:17]) || (|k[3][KW-1:17]);
-  logic signed [18:0] w_along, w_down;
+  logic [KW-1:0] k[0:3];
+  wire k_large = (|k[0][KW-1:BITS]) || (|k[1][KW-1:BITS]) || (|k[2][KW-1:BITS]) || (|k[3][KW-1:BITS]);
+  logic signed [BITS:0] w_along, w_down;
   logic signed [NW-1:0] x_along, x_down, y_along, y_down;
   logic signed [WW-1:0] w_row, w_here;
   logic signed [NW-1:0] x_row, x_here, y_row, y_here;
@@ -126,21 +127,24 @@ module quad_pattern #(
   wire last_column = column == beyond;
   wire last_place = last_column && row == beyond;
   logic horizon;  // a sample lies beyond it
-  wire [NW-1:0] x_size = x_here[NW-1] ? -x_here : x_here;
-  wire [NW-1:0] y_size = y_here[NW-1] ? -y_here : y_here;
-  logic divide, dividing, unused_dividing, far_x, far_y;
-  logic [NW-1:0] dividend_x, dividend_y;
-  logic [SW-1:0] quotient_x, quotient_y;
-  logic x_negative, y_negative;
-  divider #(.W(NW), .QW(SW)) divider_x (
-      .clk(clk), .reset(reset), .start(divide), .dividend(dividend_x), .divisor(NW'(w_here) << (SW - 1)),
-      .steps(5'(SW)), .busy(dividing), .quotient(quotient_x), .too_large(far_x));
-  divider #(.W(NW), .QW(SW)) divider_y (
-      .clk(clk), .reset(reset), .start(divide), .dividend(dividend_y), .divisor(NW'(w_here) << (SW - 1)),
-      .steps(5'(SW)), .busy(unused_dividing), .quotient(quotient_y), .too_large(far_y));
+  logic divide, dividing, unused_dividing;
+  logic [SW:0] quotient_x, quotient_y;
+  // Rounded down: the complement of the complement divided.
+  wire x_negative = x_here[NW-1];
+  wire y_negative = y_here[NW-1];
+  wire [NW-1:0] dividend_x = x_here ^ {NW{x_negative}};
+  wire [NW-1:0] dividend_y = y_here ^ {NW{y_negative}};
+  long_divider #(.W(WW), .QW(SW + 1)) divider_x (
+      .clk(clk), .reset(reset), .start(divide), .dividend((WW + SW)'(dividend_x)), .divisor(w_here),
+      .busy(dividing), .quotient(quotient_x));
+  long_divider #(.W(WW), .QW(SW + 1)) divider_y (
+      .clk(clk), .reset(reset), .start(divide), .dividend((WW + SW)'(dividend_y)), .divisor(w_here),
+      .busy(unused_dividing), .quotient(quotient_y));
   // What is farther than any quotient shows is outside of any frame all the same.
-  wire signed [SW+1:0] x_off = $signed({2'b0, far_x ? {SW{1'b1}} : quotient_x});
-  wire signed [SW+1:0] y_off = $signed({2'b0, far_y ? {SW{1'b1}} : quotient_y});
+  wire [SW-1:0] x_size = quotient_x[SW] ? '1 : quotient_x[SW-1:0];
+  wire [SW-1:0] y_size = quotient_y[SW] ? '1 : quotient_y[SW-1:0];
+  wire signed [SW+1:0] x_off = $signed({2'b0, x_size} ^ {(SW + 2) {x_negative}});
+  wire signed [SW+1:0] y_off = $signed({2'b0, y_size} ^ {(SW + 2) {y_negative}});
   logic signed [SW+1:0] place_x, place_y;
   wire signed [SW+1:0] most_x = $signed({{(SW - XW - 2) {1'b0}}, last_x, 4'b0});
   wire signed [SW+1:0] most_y = $signed({{(SW - YW - 2) {1'b0}}, last_row, 4'b0});
@@ -203,7 +207,7 @@ module quad_pattern #(
   logic [19:0] sharp_size;
   wire signed [19:0] wide_cell = 20'(cell_seen);
   wire [3:0] last_inside = width - 4'd2;
-  logic [63:0] grid;  // colours of the inner cells, eight a row
+  logic grid[0:63];  // colours of the inner cells, eight a row
   logic white_cell;
   always_comb begin
     case (count)
@@ -284,7 +288,8 @@ module quad_pattern #(
         f2 <= FW'(minus(y[0], y[3]));
         g2 <= minus(x[1], x[0]);
         if (count >= 3'd2) begin
-          k[count[1:0]-2'd2] <= KW'(p_difference);
+          k[3] <= p_difference[KW-1:0];
+          for (i = 0; i < 3; i = i + 1) k[i] <= k[i+1];
         end
         count <= count + 1'b1;
         last_row <= rows_in > {1'b0, last_y} ? last_y : rows_in[YW-1:0];
@@ -292,29 +297,29 @@ module quad_pattern #(
         else if (count == 3'd5) state <= SHRINK;
       end
       SHRINK: begin
-        if (k_large) for (i = 0; i < 4; i = i + 1) k[i] <= k[i] >>> 1;
+        if (k_large) for (i = 0; i < 4; i = i + 1) k[i] <= k[i] >> 1;
         else state <= ALONG;
       end
       ALONG: begin
-        w_along <= 19'(k[3]) - 19'(k[2]);
-        w_down <= 19'(k[1]) - 19'(k[2]);
-        f1 <= FW'(k[3]);
+        w_along <= (BITS + 1)'(k[3]) - (BITS + 1)'(k[2]);
+        w_down <= (BITS + 1)'(k[1]) - (BITS + 1)'(k[2]);
+        f1 <= FW'($signed({1'b0, k[3][BITS-1:0]}));
         g1 <= minus(x[1], x[0]);
-        f2 <= FW'(k[3]);
+        f2 <= FW'($signed({1'b0, k[3][BITS-1:0]}));
         g2 <= minus(y[1], y[0]);
         state <= DOWN;
       end
       DOWN: begin
-        f1 <= FW'(k[1]);
+        f1 <= FW'($signed({1'b0, k[1][BITS-1:0]}));
         g1 <= minus(x[3], x[0]);
-        f2 <= FW'(k[1]);
+        f2 <= FW'($signed({1'b0, k[1][BITS-1:0]}));
         g2 <= minus(y[3], y[0]);
         state <= ALONG_IN;
       end
       ALONG_IN: begin
         x_along <= NW'(p1);
         y_along <= NW'(p2);
-        f1 <= FW'(k[2]);
+        f1 <= FW'($signed({1'b0, k[2][BITS-1:0]}));
         g1 <= $signed({{(GW - 5) {1'b0}}, width, 1'b0});
         state <= DOWN_IN;
       end
@@ -491,10 +496,6 @@ module quad_pattern #(
         placing <= START;
       end
       START: begin
-        dividend_x <= x_size;
-        dividend_y <= y_size;
-        x_negative <= x_here[NW-1];
-        y_negative <= y_here[NW-1];
         if (outside_column && outside_row) begin  // the rings have no corners
           placing <= KEEP;
         end else if (w_here[WW-1] || w_here == '0) begin
@@ -506,8 +507,8 @@ module quad_pattern #(
         end
       end
       DIVIDE: if (!divide && !dividing) begin
-        place_x <= (SW + 2)'(x[0]) + (x_negative ? -x_off : x_off);
-        place_y <= (SW + 2)'(y[0]) + (y_negative ? -y_off : y_off);
+        place_x <= (SW + 2)'(x[0]) + x_off;
+        place_y <= (SW + 2)'(y[0]) + y_off;
         placing <= ADD;
       end
       ADD: begin

@@ -160,24 +160,42 @@ TEST(RtlQuad, IsThePlainCoreOnQuadrilaterals) {
   EXPECT_GT(others, 200);
 }
 
-TEST(RtlQuad, IsThePlainCoreOnAnyChain) {
+TEST(RtlQuad, IsThePlainCoreOnNoise) {
   Bench bench;
   std::mt19937_64 random(82);
+  int chains = 0;
   int quads = 0;
-  for (int i = 0; i < 3000; ++i) {
-    Chain chain{random() % 2 != 0, {}};
-    const std::size_t count = 1 + random() % 40;
-    const std::uint64_t across = i % 3 == 0 ? 640 : 16;
-    const std::uint64_t down = i % 3 == 0 ? 480 : 16;
-    for (std::size_t k = 0; k < count; ++k) chain.records.emplace_back(random() % across, random() % down);
+  for (int i = 0; i < 120; ++i) {
+    PixelImage image(40, 40);
+    const std::uint64_t coarse = 1 + random() % 4;
+    const std::uint64_t share = 20 + random() % 60;
+    for (int y = 1; y < 39; ++y) {
+      for (int x = 1; x < 39; ++x) {
+        const auto cell =
+            static_cast<std::uint64_t>(x) / coarse * 64 + static_cast<std::uint64_t>(y) / coarse;
+        image.set(x, y,
+                  (cell + 1) * (random.default_seed + static_cast<std::uint64_t>(i)) % 101 < share ||
+                      random() % 12 == 0);
+      }
+    }
+    ScanSettings settings;
+    settings.cases = 0;
+    settings.eight = i % 2 == 0;
+    settings.max_turns = 1000;
     IntegerQuadLimits limits;
     limits.min_area = static_cast<std::int64_t>(random() % 20);
     limits.min_side = static_cast<int>(random() % 3);
-    const auto plain = plain_quad(chain, limits);
-    ASSERT_EQ(bench.run(chain, limits, i % 2 == 0 ? 100 : 40, random() % 1000), plain) << "chain " << i;
-    quads += plain ? 1 : 0;
+    for (const Chain& chain : plain_chains(image, settings, 4000).chains) {
+      if (chain.records.size() > 1000) continue;
+      const auto plain = plain_quad(chain, limits);
+      ASSERT_EQ(bench.run(chain, limits, i % 2 == 0 ? 100 : 40, random() % 1000), plain) << "image " << i;
+      ++chains;
+      quads += plain ? 1 : 0;
+    }
   }
-  RecordProperty("quads", quads);
+  std::printf("%d chains, %d quads\n", chains, quads);
+  EXPECT_GT(chains, 2000);
+  EXPECT_GT(quads, 50);
 }
 
 TEST(RtlQuad, TakesFewClocks) {

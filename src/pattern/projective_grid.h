@@ -31,7 +31,7 @@ class ProjectiveGrid {
       if (area[i] <= 0) return std::nullopt;
       all |= area[i];
     }
-    // Only the areas' proportions matter: 17 bits of the largest.
+    // Only the areas' proportions matter: 14 bits of the largest.
     while (all >> weight_bits != 0) {
       all >>= 1;
       for (std::int64_t& a : area) a >>= 1;
@@ -51,12 +51,13 @@ class ProjectiveGrid {
   }
 
  private:
-  static constexpr int weight_bits = 17;
+  static constexpr int weight_bits = 14;
 
-  /// The quotient towards zero, kept to where it is certainly outside of any frame.
+  /// The quotient rounded down, kept to where it is certainly outside of any frame.
   static std::int32_t near(std::int64_t offset, std::int64_t weight) {
     constexpr std::int64_t far = std::int64_t{1} << 21;
-    return static_cast<std::int32_t>(std::clamp(offset / weight, -far, far));
+    const std::int64_t quotient = offset < 0 ? ~(~offset / weight) : offset / weight;
+    return static_cast<std::int32_t>(std::clamp(quotient, -far, far));
   }
 
   ProjectiveGrid(const std::array<SubpixelPoint, 4>& c, const std::array<std::int64_t, 4>& area, int width)
