@@ -115,11 +115,15 @@ module quad #(
   wire [VW-1:0] p_area_size = p_area[VW-1] ? -p_area : p_area;
 
   logic divide, dividing;
-  logic [DW-1:0] dividend, divisor;
+  logic signed [DW-1:0] dividend;
+  logic [DW-1:0] divisor;
+  logic negative;  // the dividend is complemented, and so is the quotient: it is rounded down
   logic [4:0] steps;
   logic [17:0] quotient;
+  logic opposite;  // the quotient of the opposite number is wanted
+  wire signed [17:0] result = $signed(quotient ^ {18{negative != opposite}});
   divider #(.W(DW), .QW(18)) divider_i (
-      .clk(clk), .reset(reset), .start(divide), .dividend(dividend), .ones(1'b0), .divisor(divisor),
+      .clk(clk), .reset(reset), .start(divide), .dividend(dividend), .ones(negative), .divisor(divisor),
       .steps(steps), .busy(dividing), .quotient(quotient));
 
   // The first walk: area and extremes.
@@ -172,10 +176,10 @@ module quad #(
   logic signed [CW+1:0] segment_x;
   logic signed [SUM-1:0] sum;
   logic signed [MOM-1:0] moment;
-  logic [SUM-1:0] sum_size;
-  logic [MOM-1:0] moment_size;
+  wire signed [RW2-3:0] low_moment = moment[RW2-3:0];
+  wire signed [DW-1:0] six_moments = (DW'(low_moment) <<< 2) + (DW'(low_moment) <<< 1);
   logic [CW-1:0] columns;
-  logic signed [15:0] slope;
+  logic signed [16:0] slope;
   logic signed [XW+5:0] mean;
   wire [CW-1:0] rise_room = CW'(2) + (length >> 2);
   wire [CW-1:0] margin = length < CW'(5) ? '0 : CW'(1) + (length >> 4);
@@ -196,14 +200,13 @@ module quad #(
   logic line_across[0:3];
   logic signed [SW-1:0] line_x[0:3];
   logic signed [SW-1:0] line_y[0:3];
-  logic signed [15:0] line_slope[0:3];
-  localparam signed [15:0] ONE = 16'sd16384;
-  logic signed [15:0] a_x, a_y, b_x, b_y;
+  logic signed [16:0] line_slope[0:3];
+  localparam signed [16:0] ONE = 17'sd16384;
+  logic signed [16:0] a_x, a_y, b_x, b_y;
   logic signed [SW:0] apart_x, apart_y;
   logic signed [19:0] sine;
   logic signed [SW+18:0] apart;
   logic [19:0] sine_size;
-  logic [DW-3:0] apart_size;
   logic signed [17:0] t;
   logic signed [SW+3:0] meet_x, meet_y, off_x, off_y;
   wire signed [SW-1:0] along_place = (SW'(low) + SW'(high)) <<< 3;
@@ -219,11 +222,14 @@ module quad #(
   // Tests whose terms are registered a state before.
   logic signed [CW+16:0] off_rise;
   logic signed [XW+6:0] off_middle;
-  wire [CW+16:0] off_rise_size = off_rise[CW+16] ? -off_rise : off_rise;
-  wire [XW+6:0] off_middle_size = off_middle[XW+6] ? -off_middle : off_middle;
+  // Whether a magnitude is greater than a limit, its sign being the last bit's carry.
+  wire [CW+17:0] rise_left = {(CW + 17)'({rise_room, 14'b0}), 1'b1} + {~off_rise ^ {(CW + 17) {off_rise[CW+16]}}, !off_rise[CW+16]};
+  wire [XW+7:0] middle_left = {(XW + 7)'(32) + (XW + 7)'(length), 1'b1}
+                            + {~off_middle ^ {(XW + 7) {off_middle[XW+6]}}, !off_middle[XW+6]};
   logic [VW-1:0] spanned;  // twice the area of the rough corners
   wire signed [VW:0] span_off = $signed({1'b0, spanned}) - $signed((VW + 1)'({area_size, 1'b0}));
-  wire [VW:0] span_off_size = span_off[VW] ? -span_off : span_off;
+  wire [VW:0] span_room = (VW + 1)'(spanned[VW-1:3]) + (VW + 1)'(perimeter);
+  wire [VW+1:0] span_left = {span_room, 1'b1} + {~span_off ^ {(VW + 1) {span_off[VW]}}, !span_off[VW]};
 
   always_ff @(posedge clk) begin
     divide <= 1'b0;
@@ -360,7 +366,7 @@ module quad #(
         record <= head;
         number <= '0;
         active <= 1'b0;
-        state <= span_off_size > (VW + 1)'(spanned[VW-1:3]) + (VW + 1)'(perimeter) ? RELEASE : READ;
+        state <= span_left[VW+1] ? RELEASE : READ;
       end
 
       // The second walk.
@@ -455,8 +461,6 @@ module quad #(
       SOLVE_2: begin
         f1 <= MW'($signed(columns));
         g1 <= 18'($signed(columns));
-        sum_size <= sum[SUM-1] ? -sum : sum;
-        moment_size <= moment[MOM-1] ? -moment : moment;
         state <= columns < CW'(2) ? RELEASE : SOLVE_3;
       end
       SOLVE_3: state <= SOLVE_4;
@@ -466,25 +470,28 @@ module quad #(
       end
       SOLVE_5: state <= SOLVE_6;
       SOLVE_6: begin  // the product is the spread
-        dividend <= DW'({moment_size[RW2-3:0], 2'b0}) + DW'({moment_size[RW2-3:0], 1'b0});
-        divisor <= DW'(p1[RW2-1:0]);
-        steps <= 5'd15;
+        negative <= moment[MOM-1];
+        opposite <= backwards;
+        dividend <= six_moments ^ {DW{moment[MOM-1]}};
+        divisor <= DW'({p1[RW2-1:0], 1'b0});
+        steps <= 5'd16;
         divide <= 1'b1;
-        state <= moment_size[MOM-1:RW2-2] != '0 || p1[RW2-1:0] <= {moment_size[RW2-3:0], 2'b0} ? RELEASE : SLOPE;
+        state <= moment[MOM-1:RW2-3] != '0 && moment[MOM-1:RW2-3] != '1 ? RELEASE : SLOPE;
       end
       SLOPE: if (!divide && !dividing) begin
-        slope <= moment[MOM-1] != backwards ? -$signed(quotient[15:0]) : $signed(quotient[15:0]);
-        dividend <= DW'(sum_size);
+        slope <= result[16:0];
+        negative <= sum[SUM-1];
+        dividend <= DW'(sum) ^ {DW{sum[SUM-1]}};
         divisor <= DW'(columns) << XW;
         steps <= 5'(XW + 5);
         divide <= 1'b1;
-        state <= MEAN;
+        state <= quotient[15] ? RELEASE : MEAN;
       end
       MEAN: begin
         f1 <= MW'(slope);
         g1 <= 18'($signed(length));
         if (!divide && !dividing) begin
-          mean <= sum[SUM-1] != backwards ? -$signed({2'b0, quotient[XW+3:0]}) : $signed({2'b0, quotient[XW+3:0]});
+          mean <= (XW + 6)'(result);
           state <= quotient[XW+4] ? RELEASE : MEAN_IN;
         end
       end
@@ -493,8 +500,7 @@ module quad #(
         off_rise <= p1[CW+16:0] - ((CW + 17)'(rise) <<< 14);
         state <= OFF;
       end
-      OFF: state <= off_middle_size > (XW + 7)'(32) + (XW + 7)'(length)
-          || off_rise_size > (CW + 17)'({rise_room, 14'b0}) ? RELEASE : LINE;
+      OFF: state <= middle_left[XW+7] || rise_left[CW+17] ? RELEASE : LINE;
       LINE: begin
         side <= next_side;
         state <= side == 2'd3 ? MEET_1 : SETUP_1;
@@ -532,18 +538,19 @@ module quad #(
         state <= MEET_6;
       end
       MEET_6: begin
-        apart_size <= apart[SW+18] ? (DW - 2)'(-apart) : (DW - 2)'(apart);
         state <= sine_size < 20'd4096 ? RELEASE : REACH;
         count <= '0;
       end
       REACH: begin
-        dividend <= DW'({apart_size, 2'b0});
+        negative <= apart[SW+18];
+        opposite <= sine[19];
+        dividend <= (DW'(apart) <<< 2) ^ {DW{apart[SW+18]}};
         divisor <= DW'(sine_size) << FAR;
         steps <= 5'(FAR + 1);
         divide <= count == '0;
         count <= 5'd1;
         if (count != '0 && !divide && !dividing) begin
-          t <= apart[SW+18] != sine[19] ? -$signed(quotient) : $signed(quotient);
+          t <= result;
           state <= quotient[FAR] ? RELEASE : PLACE_1;
         end
       end

@@ -4,6 +4,17 @@
 #include <cstdlib>
 
 namespace runmark {
+namespace {
+
+/// The quotient rounded down, of a positive divisor.
+std::int64_t floor_of(std::int64_t dividend, std::int64_t divisor) {
+  return dividend < 0 ? ~(~dividend / divisor) : dividend / divisor;
+}
+
+/// What rounding down makes of the opposite number, but for whole ones: a complement, which costs no adder.
+std::int64_t turned(std::int64_t rounded, bool opposite) { return opposite ? ~rounded : rounded; }
+
+}  // namespace
 
 SideFit::SideFit(const NumberedVertex& from, const NumberedVertex& to) {
   const std::int32_t dx = to.x - from.x;
@@ -33,14 +44,14 @@ void SideFit::add(std::int32_t from, std::int32_t to, std::int32_t over) {
 std::optional<IntegerLine> SideFit::line() const {
   const std::int64_t n = high_ - low_;
   if (n < 2) return std::nullopt;
-  const std::int64_t sum = backwards_ ? -sum_ : sum_;
-  const std::int64_t moment = backwards_ ? -moment_ : moment_;
   // The columns' squared distances from their middle add up to n (n n - 1) / 12.
   const std::int64_t spread = n * (n * n - 1);
   constexpr std::int64_t one = std::int64_t{1} << IntegerLine::slope_bits;
-  if (std::abs(moment) * 6 * 2 >= spread * 3) return std::nullopt;  // steeper than 1.5
-  const auto slope = static_cast<std::int32_t>(moment * 6 * one / spread);
-  const std::int64_t mean = sum * (1 << subpixel_bits) / n;  // above start_over_
+  const std::int64_t fitted = turned(floor_of(moment_ * 6 * one, spread), backwards_);
+  if (fitted < -2 * one || fitted >= 2 * one) return std::nullopt;
+  const auto slope = static_cast<std::int32_t>(fitted);
+  const std::int64_t mean =
+      turned(floor_of(sum_ * (1 << subpixel_bits), n), backwards_);  // above start_over_
 
   // Against the rough side: its middle, and its rise.
   const std::int64_t off_middle = 2 * mean - (std::int64_t{middle_over2_} << subpixel_bits);
@@ -65,7 +76,7 @@ std::optional<SubpixelPoint> meet(const IntegerLine& a, const IntegerLine& b) {
   const std::int64_t sine = (ax * by - ay * bx) >> (bits - 2);  // in 1 / 2^16
   if (std::abs(sine) < one / 4) return std::nullopt;
   const std::int64_t apart = (b.at.x - a.at.x) * by - (b.at.y - a.at.y) * bx;  // in 1 / 2^14
-  const std::int64_t t = apart * 4 / sine;
+  const std::int64_t t = turned(floor_of(apart * 4, std::abs(sine)), sine < 0);
   constexpr std::int64_t farthest = std::int64_t{1} << 17;
   if (std::abs(t) >= farthest) return std::nullopt;
   return SubpixelPoint{a.at.x + static_cast<std::int32_t>((t * ax) >> bits),

@@ -14,7 +14,7 @@ struct IntegerLine {
   static constexpr int slope_bits = 14;
   bool across = true;
   SubpixelPoint at;
-  std::int32_t slope = 0;  ///< between -1.5 and 1.5
+  std::int32_t slope = 0;  ///< from -2 to less than 2
 };
 
 /// Where two lines meet; nothing when they are within about four degrees of parallel.
