@@ -58,6 +58,7 @@ module quad_pattern #(
   localparam KW = 2 * SW + 2;    // of twice a triangle's area
   localparam BITS = 14;          // kept of the largest of them
   localparam NW = SW + BITS + 7;  // of a sample's place times its weight
+  localparam AW = SW + BITS + 2;  // of a corner's place times its weight
   localparam WW = BITS + 7;      // of a weight
 
   localparam [4:0] IDLE = 5'd0, CROSS = 5'd1, SHRINK = 5'd2, ALONG = 5'd3, DOWN = 5'd4, ALONG_IN = 5'd5, DOWN_IN = 5'd6,
@@ -107,13 +108,22 @@ module quad_pattern #(
     minus = GW'(p) - GW'(q);
   endfunction
 
+  // To corner 0 from the one before, from corner 0 to the next.
+  wire signed [GW-1:0] x_in = minus(x[0], x[3]);
+  wire signed [GW-1:0] y_in = minus(y[0], y[3]);
+  wire signed [GW-1:0] x_out = minus(x[1], x[0]);
+  wire signed [GW-1:0] y_out = minus(y[1], y[0]);
+
   // The projective map.
   logic [KW-1:0] k[0:3];
   wire k_large = (|k[0][KW-1:BITS]) || (|k[1][KW-1:BITS]) || (|k[2][KW-1:BITS]) || (|k[3][KW-1:BITS]);
   logic signed [BITS:0] w_along, w_down;
-  logic signed [NW-1:0] x_along, x_down, y_along, y_down;
+  logic signed [AW-1:0] x_along, x_up, y_along, y_up;
   logic signed [WW-1:0] w_row, w_here;
   logic signed [NW-1:0] x_row, x_here, y_row, y_here;
+  wire signed [WW-1:0] w_next_row = w_row + (WW'(w_down) <<< 1);
+  wire signed [NW-1:0] x_next_row = x_row - (NW'(x_up) <<< 1);
+  wire signed [NW-1:0] y_next_row = y_row - (NW'(y_up) <<< 1);
   logic [YW-1:0] last_row;
   wire [YW:0] rows_in = {1'b0, marker_bottom} + (YW + 1)'(4);
 
@@ -211,10 +221,10 @@ module quad_pattern #(
   logic white_cell;
   always_comb begin
     case (count)
-      3'd1: cell_read = cell_at - 1'b1;
-      3'd2: cell_read = cell_at + 1'b1;
-      3'd3: cell_read = cell_at - {3'b0, width};
-      3'd4: cell_read = cell_at + {3'b0, width};
+      3'd2: cell_read = cell_at - 1'b1;
+      3'd3: cell_read = cell_at + 1'b1;
+      3'd4: cell_read = cell_at - {3'b0, width};
+      3'd5: cell_read = cell_at + {3'b0, width};
       default: cell_read = cell_at;
     endcase
   end
@@ -283,10 +293,10 @@ module quad_pattern #(
       end
 
       CROSS: begin  // corner 0 with its neighbours 3 and 1, then the next
-        f1 <= FW'(minus(x[0], x[3]));
-        g1 <= minus(y[1], y[0]);
-        f2 <= FW'(minus(y[0], y[3]));
-        g2 <= minus(x[1], x[0]);
+        f1 <= FW'(x_in);
+        g1 <= y_out;
+        f2 <= FW'(y_in);
+        g2 <= x_out;
         if (count >= 3'd2) begin
           k[3] <= p_difference[KW-1:0];
           for (i = 0; i < 3; i = i + 1) k[i] <= k[i+1];
@@ -300,38 +310,37 @@ module quad_pattern #(
         if (k_large) for (i = 0; i < 4; i = i + 1) k[i] <= k[i] >> 1;
         else state <= ALONG;
       end
-      ALONG: begin
+      ALONG: begin  // the first sample lies half a cell up and left of corner 0
         w_along <= (BITS + 1)'(k[3]) - (BITS + 1)'(k[2]);
         w_down <= (BITS + 1)'(k[1]) - (BITS + 1)'(k[2]);
-        f1 <= FW'($signed({1'b0, k[3][BITS-1:0]}));
-        g1 <= minus(x[1], x[0]);
+        f1 <= FW'($signed({1'b0, k[1][BITS-1:0]}));
+        g1 <= x_in;
         f2 <= FW'($signed({1'b0, k[3][BITS-1:0]}));
-        g2 <= minus(y[1], y[0]);
+        g2 <= x_out;
         state <= DOWN;
       end
       DOWN: begin
-        f1 <= FW'($signed({1'b0, k[1][BITS-1:0]}));
-        g1 <= minus(x[3], x[0]);
-        f2 <= FW'($signed({1'b0, k[1][BITS-1:0]}));
-        g2 <= minus(y[3], y[0]);
+        g1 <= y_in;
+        g2 <= y_out;
         state <= ALONG_IN;
       end
       ALONG_IN: begin
-        x_along <= NW'(p1);
-        y_along <= NW'(p2);
+        x_up <= AW'(p1);
+        x_along <= AW'(p2);
+        x_row <= NW'(p_difference);
         f1 <= FW'($signed({1'b0, k[2][BITS-1:0]}));
-        g1 <= $signed({{(GW - 5) {1'b0}}, width, 1'b0});
+        g1 <= $signed({{(GW - 5) {1'b0}}, beyond, 1'b0});
         state <= DOWN_IN;
       end
       DOWN_IN: begin
-        x_down <= NW'(p1);
-        y_down <= NW'(p2);
+        y_up <= AW'(p1);
+        y_along <= AW'(p2);
+        y_row <= NW'(p_difference);
+        w_row <= -WW'($signed({1'b0, k[1][BITS-1:0]})) - WW'($signed({1'b0, k[3][BITS-1:0]}));
         state <= FIRST_IN;
       end
       FIRST_IN: begin
-        w_row <= WW'(p1) - WW'(w_along) - WW'(w_down);
-        x_row <= -x_along - x_down;
-        y_row <= -y_along - y_down;
+        w_row <= w_row + WW'(p1);
         state <= BEGIN;
       end
       BEGIN: begin
@@ -427,14 +436,14 @@ module quad_pattern #(
       end
 
       SHARP: begin
-        sharp <= count == '0 ? (wide_cell <<< 2) + (wide_cell <<< 1) : sharp - wide_cell;
+        sharp <= count == '0 ? wide_cell <<< 1 : count == 3'd1 ? sharp + (wide_cell <<< 2) : sharp - wide_cell;
         count <= count + 1'b1;
-        if (count == 3'd4) state <= SHARPENED;
+        if (count == 3'd5) state <= SHARPENED;
         if (white_border > {2'b0, most_white}) state <= IDLE;
       end
       SHARPENED: begin
         count <= count + 1'b1;
-        if (count == 3'd5) begin
+        if (count == 3'd6) begin
           white_cell <= !sharp[19] && sharp != '0;
           sharp_size <= sharp[19] ? -sharp : sharp;
         end else begin
@@ -528,14 +537,14 @@ module quad_pattern #(
           if (last_column) begin
             column <= '0;
             row <= row + 1'b1;
-            {w_row, w_here} <= {2{w_row + (WW'(w_down) <<< 1)}};
-            {x_row, x_here} <= {2{x_row + (x_down <<< 1)}};
-            {y_row, y_here} <= {2{y_row + (y_down <<< 1)}};
+            {w_row, w_here} <= {2{w_next_row}};
+            {x_row, x_here} <= {2{x_next_row}};
+            {y_row, y_here} <= {2{y_next_row}};
           end else begin
             column <= column + 1'b1;
             w_here <= w_here + (WW'(w_along) <<< 1);
-            x_here <= x_here + (x_along <<< 1);
-            y_here <= y_here + (y_along <<< 1);
+            x_here <= x_here + (NW'(x_along) <<< 1);
+            y_here <= y_here + (NW'(y_along) <<< 1);
           end
         end
       end
