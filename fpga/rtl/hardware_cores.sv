@@ -7,7 +7,7 @@ module hardware_cores #(
     parameter RECORDS = 2047,
     parameter EVENTS = 512,
     parameter CHAINS = 64,    // closed chains that may wait
-    parameter QUADS = 16,     // quads that may wait
+    parameter QUADS = 128,    // quads that may wait
     parameter CODES = 1024,
     parameter XW = $clog2(MAX_WIDTH),
     parameter YW = $clog2(MAX_HEIGHT),

@@ -63,7 +63,8 @@ module quad #(
       SOLVE_5 = 6'd37, SOLVE_6 = 6'd38, SLOPE = 6'd39, MEAN = 6'd40, MEAN_IN = 6'd41, OFF = 6'd42, LINE = 6'd43,
       MEET_1 = 6'd44, MEET_2 = 6'd45, MEET_3 = 6'd46, MEET_4 = 6'd47, MEET_5 = 6'd48, MEET_6 = 6'd49, REACH = 6'd50,
       PLACE_1 = 6'd51, PLACE_2 = 6'd52, PLACE_3 = 6'd53, PLACE_4 = 6'd54, RELEASE = 6'd55, EMIT = 6'd56,
-      PLACE_5 = 6'd57, FILL = 6'd58;
+      PLACE_5 = 6'd57, FILL = 6'd58,
+      PLACE_6 = 6'd59, SPAN_LEFT = 6'd60, PLACE_7 = 6'd62;
   logic [5:0] state;
   logic good;
   logic [4:0] count;
@@ -160,7 +161,7 @@ module quad #(
   wire [XW+YW+NW-1:0] first_pick = hole && !distances ? of_left : of_best;
   wire [XW+YW+NW-1:0] second_pick = hole || distances ? of_best : of_left;
   logic round;  // the corners move up by one
-  assign round = (state == TURN_ROUND && corner_number[0] > corner_number[3]) || (state == SIDE_LENGTH) || (state == LINE) || (state == PLACE_5);
+  assign round = (state == TURN_ROUND && corner_number[0] > corner_number[3]) || (state == SIDE_LENGTH) || (state == LINE) || (state == PLACE_7);
 
   // A side.
   logic [1:0] side;
@@ -214,6 +215,8 @@ module quad #(
   function automatic [SW+3:0] size_of(input signed [SW+3:0] v);
     size_of = v[SW+3] ? -v : v;
   endfunction
+  logic [SW+4:0] off_all;
+  logic [XW+4:0] perimeter_room;  // of how far a corner may be from its rough one
   logic signed [SW-1:0] out_x[0:3];
   logic signed [SW-1:0] out_y[0:3];
   assign quad_x = {out_x[3], out_x[2], out_x[1], out_x[0]};
@@ -229,7 +232,7 @@ module quad #(
   logic [VW-1:0] spanned;  // twice the area of the rough corners
   wire signed [VW:0] span_off = $signed({1'b0, spanned}) - $signed((VW + 1)'({area_size, 1'b0}));
   wire [VW:0] span_room = (VW + 1)'(spanned[VW-1:3]) + (VW + 1)'(perimeter);
-  wire [VW+1:0] span_left = {span_room, 1'b1} + {~span_off ^ {(VW + 1) {span_off[VW]}}, !span_off[VW]};
+  logic [VW+1:0] span_left;
 
   always_ff @(posedge clk) begin
     divide <= 1'b0;
@@ -362,6 +365,11 @@ module quad #(
         state <= FILLED;
       end
       FILLED: begin
+        span_left <= {span_room, 1'b1} + {~span_off ^ {(VW + 1) {span_off[VW]}}, !span_off[VW]};
+        perimeter_room <= (XW + 5)'(perimeter) + (XW + 5)'(32);
+        state <= SPAN_LEFT;
+      end
+      SPAN_LEFT: begin
         second_walk <= 1'b1;
         record <= head;
         number <= '0;
@@ -573,11 +581,20 @@ module quad #(
         state <= PLACE_5;
       end
       PLACE_5: begin
+        off_x <= $signed(size_of(off_x));
+        off_y <= $signed(size_of(off_y));
+        state <= PLACE_6;
+      end
+      PLACE_6: begin
+        off_all <= {1'b0, off_x} + {1'b0, off_y};
+        state <= PLACE_7;
+      end
+      PLACE_7: begin
         out_x[hole?~side : side] <= meet_x[SW-1:0];  // a hole is followed the other way round
         out_y[hole?~side : side] <= meet_y[SW-1:0];
         side <= next_side;
         good <= 1'b1;
-        if ((SW + 5)'(size_of(off_x)) + (SW + 5)'(size_of(off_y)) > (SW + 5)'(perimeter) + (SW + 5)'(32)) begin
+        if (off_all > (SW + 5)'(perimeter_room)) begin
           good <= 1'b0;
           state <= RELEASE;
         end else begin
@@ -601,7 +618,7 @@ module quad #(
         corner_number[i] <= corner_number[(i+1)%4];
       end
     end
-    if (state == LINE || state == PLACE_5) begin
+    if (state == LINE || state == PLACE_7) begin
       for (int i = 0; i < 3; i++) begin
         line_across[i] <= line_across[i+1];
         line_x[i] <= line_x[i+1];
@@ -614,7 +631,7 @@ module quad #(
       line_slope[3] <= state == LINE ? slope : line_slope[0];
     end
     // A corner that was placed counts only with all four.
-    if (state != PLACE_5 && state != RELEASE && state != EMIT) good <= 1'b0;
+    if (state != PLACE_7 && state != RELEASE && state != EMIT) good <= 1'b0;
     if (reset) state <= IDLE;
   end
 endmodule

@@ -95,8 +95,8 @@ module quad_pattern #(
     p1 <= f1 * g1;
     p2 <= f2 * g2;
   end
-  wire signed [PW-1:0] p_sum = p1 + p2;
-  wire signed [PW-1:0] p_difference = p1 - p2;
+  wire signed [29:0] p_sum = p1[29:0] + p2[29:0];  // no use is longer
+  wire signed [2*SW+4:0] p_difference = p1[2*SW+4:0] - p2[2*SW+4:0];
 
   // The corners; they turn while the triangles' areas are taken and with the code.
   logic signed [SW-1:0] x[0:3];
@@ -303,7 +303,7 @@ module quad_pattern #(
         end
         count <= count + 1'b1;
         last_row <= rows_in > {1'b0, last_y} ? last_y : rows_in[YW-1:0];
-        if (count >= 3'd2 && (p_difference[PW-1] || p_difference == '0)) state <= IDLE;
+        if (count >= 3'd2 && (p_difference[2*SW+4] || p_difference == '0)) state <= IDLE;
         else if (count == 3'd5) state <= SHRINK;
       end
       SHRINK: begin
@@ -336,7 +336,7 @@ module quad_pattern #(
         y_up <= AW'(p1);
         y_along <= AW'(p2);
         y_row <= NW'(p_difference);
-        w_row <= -WW'($signed({1'b0, k[1][BITS-1:0]})) - WW'($signed({1'b0, k[3][BITS-1:0]}));
+        w_row <= WW'(0) - WW'($signed({1'b0, k[1][BITS-1:0]})) - WW'($signed({1'b0, k[3][BITS-1:0]}));
         state <= FIRST_IN;
       end
       FIRST_IN: begin
@@ -615,5 +615,5 @@ module quad_pattern #(
     end
   end
 
-  wire unused = &{1'b0, unused_dividing, p_sum[PW-1:30], p_sum[7:0]};
+  wire unused = &{1'b0, unused_dividing, p_sum[7:0]};
 endmodule
