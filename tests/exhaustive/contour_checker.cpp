@@ -93,7 +93,7 @@ const char* ContourChecker::follow(Connectivity connectivity) {
   std::size_t count = 0;
   for (int y = 0; y <= bits_.height(); ++y) {
     count += fast::find_crack_runs(bits_.row(y - 1), bits_.row(y), bits_.width(), connectivity,
-                             std::span<CrackRun>(runs_).subspan(count));
+                                   std::span<CrackRun>(runs_).subspan(count));
     row_ends_.push_back(count);
   }
   return count == expected_.runs.size() ? nullptr : "the number of crack runs is wrong";

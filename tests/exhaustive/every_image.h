@@ -16,6 +16,9 @@ struct ProofScope {
   bool filtered = true;  ///< with every case on
   bool limits = true;    ///< with limits that drop contours, early and not, and with too few records
   int column = 0;        ///< where the image stands in its rows
+  /// Leave out images whose first or last row or column is all light: without it they are an image of a
+  /// smaller shape, which another run checks.
+  bool smaller_left_out = false;
 };
 
 /// What is wrong with one image, or nullptr: all runs of the scope.
@@ -29,7 +32,7 @@ struct ProofResult {
   const char* first_fault = nullptr;
 };
 
-/// Checks every image of width * height pixels, at most 32.
+/// Checks every image of width * height pixels, at most 32. Images left out count as images.
 [[nodiscard]] ProofResult check_every_image(int width, int height, int threads, const ProofScope& scope);
 
 }  // namespace runmark

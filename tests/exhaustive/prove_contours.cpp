@@ -1,7 +1,10 @@
 // Runs every binary image there is, up to a number of pixels and in every shape, through the preprocess and
 // contour cores and compares every contour with the naive follower's.
 //
-//   prove_contours [--pixels N] [--shape WxH] [--column X] [--threads N] [--only unfiltered-8|unfiltered-4]
+//   prove_contours [--pixels N] [--shape WxH] [--column X] [--threads N] [--only
+//   unfiltered-8|unfiltered-4|whole]
+//
+// --only whole leaves out images that have a light side: they are images of a smaller shape.
 //
 // Without --pixels: RUNMARK_EXHAUSTIVE_PIXELS, else 20. Exit status 0: all right; 1: an image is wrong;
 // 2: bad arguments.
@@ -60,6 +63,10 @@ bool parse(std::string_view name, std::string_view value, Arguments& arguments) 
     arguments.height = number(value.substr(cross + 1), 1, most_pixels).value_or(0);
     const int pixels = arguments.width * arguments.height;
     return pixels >= 1 && pixels <= most_pixels;
+  }
+  if (name == "--only" && value == "whole") {
+    arguments.scope.smaller_left_out = true;
+    return true;
   }
   if (name == "--only" && (value == "unfiltered-8" || value == "unfiltered-4")) {
     const bool eight = value == "unfiltered-8";
