@@ -7,12 +7,12 @@
 
 #include "corner/line_fit.h"
 #include "pattern/bow_fit.h"
+#include "pattern/edge_rises.h"
 
 namespace runmark {
 namespace {
 
-constexpr int most_lines = 24;  // of pixels across each side
-constexpr int most_rises = 40;  // between pixels of each
+constexpr int most_lines = EdgeRises::most_lines;
 constexpr double least_window = 1.25;
 
 /// The edge's tangents at the side's two ends: corners are where those of neighbouring sides meet.
@@ -35,7 +35,7 @@ class SideEdgeSearch {
     cosine_ = std::fabs(end_.x - start_.x) / length_;
     // Outwards is to the left hand of a -> b in the image, the corners going clockwise.
     const bool rises = (end_.x > start_.x) == steep_;
-    sign_ = rises != light_inside ? 1.0 : -1.0;
+    sign_ = rises != light_inside ? 1 : -1;
   }
 
   /// @param widest  half the width of a blurred edge may be so much
@@ -43,7 +43,7 @@ class SideEdgeSearch {
     constexpr double long_side = 48;  // pixels; shorter ones bow too little to tell
     const double across = reach / cosine_;
     take_rises(across);
-    if (lines_ < 2) return std::nullopt;
+    if (rises_.lines < 2) return std::nullopt;
     Bow bow;
     if (!coarse(across, bow)) return std::nullopt;
     double width = window(across, bow);
@@ -60,8 +60,6 @@ class SideEdgeSearch {
   }
 
  private:
-  [[nodiscard]] double share(int i) const { return (place_[i] - start_.x) / (end_.x - start_.x); }
-
   void take_rises(double across) {
     constexpr double margin = 0.06;  // of the side at each end, where blur rounds the corner
     const double low = std::min(start_.x, end_.x);
@@ -70,66 +68,64 @@ class SideEdgeSearch {
     const int first = std::max(static_cast<int>(std::ceil(low + margin * size)), 0);
     const int last = std::min(static_cast<int>(std::floor(low + (1 - margin) * size)), along_limit - 1);
     const int count = last - first + 1;
-    lines_ = std::clamp(count, 0, most_lines);
-    const int half = std::min(static_cast<int>(std::ceil(across)) + 1, (most_rises - 1) / 2);
-    rises_ = 2 * half + 1;
+    rises_.lines = std::clamp(count, 0, most_lines);
+    const int half = std::min(static_cast<int>(std::ceil(across)) + 1, (EdgeRises::most_rises - 1) / 2);
+    rises_.rises = 2 * half + 1;
     const int across_limit = (steep_ ? frame_.width : frame_.height) - 1;
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
-    for (int i = 0; i < lines_; ++i) {
+    for (int i = 0; i < rises_.lines; ++i) {
       // Evenly spread over the lines there are.
-      const int place = first + (lines_ == 1 ? 0 : i * (count - 1) / (lines_ - 1));
-      place_[i] = place;
+      const int place = first + (rises_.lines == 1 ? 0 : i * (count - 1) / (rises_.lines - 1));
+      share_[i] = (place - start_.x) / (end_.x - start_.x);
       const double middle = start_.y + slope * (place - start_.x);
       const int from = static_cast<int>(std::floor(middle)) - half;
-      first_[i] = from + 0.5 - middle;
-      double before = grey(place, std::clamp(from, 0, across_limit));
-      for (int k = 0; k < rises_; ++k) {
-        const double after = grey(place, std::clamp(from + k + 1, 0, across_limit));
-        rise_[i][k] = sign_ * (after - before);
+      rises_.first[i] = static_cast<float>(from + 0.5 - middle);
+      int before = grey(place, std::clamp(from, 0, across_limit));
+      for (int k = 0; k < rises_.rises; ++k) {
+        const int after = grey(place, std::clamp(from + k + 1, 0, across_limit));
+        rises_.rise[k][i] = static_cast<float>(sign_ * (after - before));
         before = after;
       }
     }
+    for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) {
+      rises_.first[i] = 0;
+      for (int k = 0; k < rises_.rises; ++k) rises_.rise[k][i] = 0;
+    }
   }
 
-  [[nodiscard]] double grey(int along, int across) const {
-    return static_cast<double>(steep_ ? frame_.at(across, along) : frame_.at(along, across));
+  [[nodiscard]] int grey(int along, int across) const {
+    return steep_ ? frame_.at(across, along) : frame_.at(along, across);
   }
 
   /// Squared rises single out the strongest edge within reach.
   [[nodiscard]] bool coarse(double across, Bow& bow) const {
-    constexpr double least_weight = 64;
+    constexpr float least_weight = 64;
+    EdgeMoments moments;
+    square_moments(rises_, static_cast<float>(across + 0.5), moments);
     BowFit fit;
     int clear = 0;
-    for (int i = 0; i < lines_; ++i) {
-      double weight = 0;
-      double sum = 0;
-      double n = first_[i];
-      for (int k = 0; k < rises_; ++k, n += 1) {
-        const double rise = std::max(rise_[i][k], 0.0);
-        if (std::fabs(n) > across + 0.5) continue;
-        weight += rise * rise;
-        sum += rise * rise * n;
-      }
-      if (weight < least_weight) continue;
-      fit.add(share(i), weight, sum);
+    for (int i = 0; i < rises_.lines; ++i) {
+      if (moments.weight[i] < least_weight) continue;
+      fit.add(share_[i], static_cast<double>(moments.weight[i]), static_cast<double>(moments.sum[i]));
       ++clear;
     }
-    if (clear < 2 || clear < lines_ / 2) return false;
+    if (clear < 2 || clear < rises_.lines / 2) return false;
     bow = fit.straight();
     return std::max(std::fabs(bow.at(0)), std::fabs(bow.at(1))) <= across + 1;
   }
 
+  /// Where the edge found so far crosses each line.
+  void cross_lines(const Bow& bow, float* offset) const {
+    for (int i = 0; i < rises_.lines; ++i) offset[i] = static_cast<float>(bow.at(share_[i]));
+    for (int i = rises_.lines; i < most_lines; ++i) offset[i] = 0;
+  }
+
   /// Half the width of the window that holds the edge: more where blur has widened it.
   [[nodiscard]] double window(double across, const Bow& bow) const {
-    double near = 0;
-    double all = 0;
-    for (int i = 0; i < lines_; ++i) {
-      double n = first_[i] - bow.at(share(i));
-      for (int k = 0; k < rises_; ++k, n += 1) {
-        near += std::clamp(1.25 - std::fabs(n), 0.0, 1.0) * rise_[i][k];
-        all += std::clamp(across + 0.5 - std::fabs(n), 0.0, 1.0) * rise_[i][k];
-      }
-    }
+    float offset[most_lines];
+    cross_lines(bow, offset);
+    const auto near = static_cast<double>(window_sum(rises_, offset, 0.75F));
+    const auto all = static_cast<double>(window_sum(rises_, offset, static_cast<float>(across)));
     if (near <= 0) return across;
     // A Gaussian edge has half of its rise within 0.67 standard deviations on both sides.
     const double spread = 0.6 * all / near;
@@ -139,36 +135,24 @@ class SideEdgeSearch {
   /// The first moment of the rises in a window about the edge found so far. What the window cuts off makes
   /// the moment move less than the edge does; `gain` is by how much.
   [[nodiscard]] bool fine(double width, bool may_bow, Bow& bow) const {
-    constexpr double least_rise = 4;
+    constexpr float least_rise = 4;
     constexpr double least_gain = 0.3;
-    double weights[most_lines];
-    double sums[most_lines];
+    float offset[most_lines];
+    cross_lines(bow, offset);
+    EdgeMoments moments;
+    const auto cut = static_cast<double>(window_moments(rises_, offset, static_cast<float>(width), moments));
     double all = 0;
-    double cut = 0;
-    for (int i = 0; i < lines_; ++i) {
-      weights[i] = 0;
-      sums[i] = 0;
-      double n = first_[i] - bow.at(share(i));
-      for (int k = 0; k < rises_; ++k, n += 1) {
-        const double rise = std::max(rise_[i][k], 0.0);
-        const double inside = width + 0.5 - std::fabs(n);
-        if (inside <= 0) continue;
-        const double part = std::min(inside, 1.0) * rise;
-        weights[i] += part;
-        sums[i] += part * n;
-        if (inside < 1) cut += rise * std::fabs(n);
-      }
-      all += weights[i];
-    }
+    for (int i = 0; i < rises_.lines; ++i) all += static_cast<double>(moments.weight[i]);
     const double gain = std::max(1 - cut / std::max(all, 1.0), least_gain);
     BowFit fit;
     int clear = 0;
-    for (int i = 0; i < lines_; ++i) {
-      if (weights[i] < least_rise) continue;
-      fit.add(share(i), weights[i], weights[i] * bow.at(share(i)) + sums[i] / gain);
+    for (int i = 0; i < rises_.lines; ++i) {
+      if (moments.weight[i] < least_rise) continue;
+      const auto weight = static_cast<double>(moments.weight[i]);
+      fit.add(share_[i], weight, weight * bow.at(share_[i]) + static_cast<double>(moments.sum[i]) / gain);
       ++clear;
     }
-    if (clear < 2 || clear < lines_ / 2) return false;
+    if (clear < 2 || clear < rises_.lines / 2) return false;
     bow = may_bow ? fit.bow(clear) : fit.straight();
     return true;
   }
@@ -187,13 +171,10 @@ class SideEdgeSearch {
   Point end_;
   double length_;
   double cosine_ = 1;
-  double sign_ = 1;
+  int sign_ = 1;
   const GreyFrame& frame_;
-  int lines_ = 0;
-  int rises_ = 0;
-  int place_[most_lines];
-  double first_[most_lines];  // from the straight side to the first rise
-  double rise_[most_lines][most_rises];
+  EdgeRises rises_;
+  double share_[most_lines];  // of the way from start to end, of each line
 };
 
 }  // namespace
