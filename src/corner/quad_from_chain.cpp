@@ -10,99 +10,67 @@
 namespace runmark {
 namespace {
 
-using Vertices = std::span<const Vertex>;
 using Indices = std::array<std::size_t, 4>;
 
-struct Outline {
-  Vertices vertices;  // clockwise
-  int area = 0;       // of the pixels inside
-  int width = 0;
-  int height = 0;
-  int perimeter = 0;  // in cracks
+/// What one walk along a chain tells.
+struct Shape {
+  std::int64_t area = 0;  // of the pixels inside
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+  std::int64_t perimeter = 0;  // in cracks
 };
 
-Outline outline_of(const ClosedChain& chain, std::span<Vertex> scratch) {
-  Vertex* next = scratch.data();
-  int area = 0;
+Shape shape_of(const ClosedChain& chain) {
+  std::int64_t area = 0;
   int perimeter = 0;
-  int left = chain.pool->operator[](chain.tail).x;
+  int left = (*chain.pool)[chain.tail].x;
   int right = left;
   int line = chain.bottom;
   chain.runs([&](int from, int to, int y) {
-    *next++ = {static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(y)};
-    *next++ = {static_cast<std::uint16_t>(to), static_cast<std::uint16_t>(y)};
-    area += y * (from - to);
+    area += static_cast<std::int64_t>(y) * (from - to);
     perimeter += std::abs(to - from) + std::abs(y - line);
     line = y;
     left = std::min(left, to);
     right = std::max(right, to);
   });
-  const std::span<Vertex> vertices(scratch.data(), next);
-  if (chain.hole) std::reverse(vertices.begin(), vertices.end());
-  return {vertices, std::abs(area), right - left, chain.bottom - chain.top, perimeter};
+  return {std::abs(area), right - left, chain.bottom - chain.top, perimeter};
 }
 
-/// Whether the outline may be a quadrilateral's: a convex one fills a good part of the box round it and is
-/// as long as the box's, and a ragged edge makes it a little longer.
-bool may_be_quad(const Outline& o) {
-  const int box = o.width * o.height;
-  return 5 * o.area >= box && o.perimeter <= 3 * (o.width + o.height) + 8;
+/// Whether the shape may be a quadrilateral: a convex one fills a good part of the box round it and is as
+/// long as the box is, and a ragged edge makes it a little longer.
+bool may_be_quad(const Shape& s) {
+  return 5 * s.area >= s.width * s.height && s.perimeter <= 4 * (s.width + s.height) + 8;
 }
 
-std::size_t farthest_from(Vertices vertices, int x, int y) {
-  std::size_t best = 0;
-  std::int64_t most = -1;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::int64_t dx = vertices[i].x - x;
-    const std::int64_t dy = vertices[i].y - y;
-    const std::int64_t distance = dx * dx + dy * dy;
-    if (distance > most) {
-      most = distance;
-      best = i;
-    }
-  }
-  return best;
-}
-
-struct BothSides {
-  std::size_t right = 0;
-  std::size_t left = 0;
-};
-
-/// The vertices farthest from the line a -> b on its right hand and on its left hand in the image.
-BothSides farthest_from_line(Vertices vertices, std::size_t a, std::size_t b) {
-  const std::int64_t ux = vertices[b].x - vertices[a].x;
-  const std::int64_t uy = vertices[b].y - vertices[a].y;
-  BothSides best{a, a};
-  std::int64_t most_right = 0;
-  std::int64_t most_left = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const std::int64_t across = ux * (vertices[i].y - vertices[a].y) - uy * (vertices[i].x - vertices[a].x);
-    if (across > most_right) {
-      most_right = across;
-      best.right = i;
-    } else if (across < most_left) {
-      most_left = across;
-      best.left = i;
-    }
-  }
-  return best;
+/// Clockwise whichever way the chain goes.
+void draw(const ClosedChain& chain, Outline& outline) {
+  outline.count = 2 * static_cast<std::size_t>(chain.records);
+  std::size_t i = chain.hole ? outline.count - 1 : 0;
+  const std::size_t step = chain.hole ? static_cast<std::size_t>(-1) : 1;
+  chain.runs([&](int from, int to, int y) {
+    outline.x[i] = static_cast<float>(from);
+    outline.y[i] = static_cast<float>(y);
+    i += step;
+    outline.x[i] = static_cast<float>(to);
+    outline.y[i] = static_cast<float>(y);
+    i += step;
+  });
 }
 
 /// Four vertices that span a large area, in the order of the outline. Starts from the two ends of a long
 /// diagonal and lets each pair of opposite corners choose the other until nothing moves.
-std::optional<Indices> widest_corners(Vertices vertices) {
-  const std::size_t a = farthest_from(vertices, vertices[0].x, vertices[0].y);
-  const std::size_t c = farthest_from(vertices, vertices[a].x, vertices[a].y);
+std::optional<Indices> widest_corners(const Outline& outline) {
+  const std::size_t a = farthest_from(outline, 0);
+  const std::size_t c = farthest_from(outline, a);
   Indices corners{a, 0, c, 0};
   constexpr int most_rounds = 3;
   for (int round = 0; round < most_rounds; ++round) {
-    const BothSides one = farthest_from_line(vertices, corners[0], corners[2]);
+    const BothSides one = farthest_from_line(outline, corners[0], corners[2]);
     const bool same = corners[1] == one.left && corners[3] == one.right;
     corners[1] = one.left;
     corners[3] = one.right;
     if (corners[1] == corners[3] || same) break;
-    const BothSides two = farthest_from_line(vertices, corners[1], corners[3]);
+    const BothSides two = farthest_from_line(outline, corners[1], corners[3]);
     corners[2] = two.left;
     corners[0] = two.right;
   }
@@ -114,14 +82,16 @@ std::optional<Indices> widest_corners(Vertices vertices) {
   return corners;
 }
 
-Point crack_point(Vertex v) { return {v.x - 0.5, v.y - 0.5}; }
+Point crack_point(const Outline& outline, std::size_t i) {
+  return {static_cast<double>(outline.x[i]) - 0.5, static_cast<double>(outline.y[i]) - 0.5};
+}
 
 /// The line through the cracks of the outline from one corner to the next. Cracks near the corners are left
 /// out, because blur rounds them, and those far from the straight way: white cells beside a blurred border
 /// break through it, and the outline goes in there and comes out again.
-std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t to, double tolerance) {
-  const Point a = crack_point(vertices[from]);
-  const Point b = crack_point(vertices[to]);
+std::optional<Line> side_line(const Outline& outline, std::size_t from, std::size_t to, double tolerance) {
+  const Point a = crack_point(outline, from);
+  const Point b = crack_point(outline, to);
   const Point u{b.x - a.x, b.y - a.y};
   const double length = std::sqrt(u.x * u.x + u.y * u.y);
   if (length <= 0) return std::nullopt;
@@ -132,19 +102,18 @@ std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t t
   constexpr double least_covered = 0.4;  // of the way
   double covered = 0;
   LineFit fit({(a.x + b.x) / 2, (a.y + b.y) / 2});
-  const std::size_t count = vertices.size();
+  const std::size_t count = outline.count;
   for (std::size_t i = from; i != to;) {
     const std::size_t next = i + 1 == count ? 0 : i + 1;
-    Point p = crack_point(vertices[i]);
-    Point q = crack_point(vertices[next]);
+    Point p = crack_point(outline, i);
+    Point q = crack_point(outline, next);
     i = next;
     // Clip the run to the inner part of the side, by its share along the side.
     const double sp = (p.x - a.x) * u.x + (p.y - a.y) * u.y;
     const double sq = (q.x - a.x) * u.x + (q.y - a.y) * u.y;
-    const double rise = sq - sp;
-    if (rise == 0) {
-      if (sp < low || sp > high) continue;
-    } else {
+    if (std::max(sp, sq) < low || std::min(sp, sq) > high) continue;
+    if (std::min(sp, sq) < low || std::max(sp, sq) > high) {
+      const double rise = sq - sp;
       const double t0 = std::clamp(((rise > 0 ? low : high) - sp) / rise, 0.0, 1.0);
       const double t1 = std::clamp(((rise > 0 ? high : low) - sp) / rise, 0.0, 1.0);
       if (t1 <= t0) continue;
@@ -171,17 +140,17 @@ std::optional<Line> side_line(Vertices vertices, std::size_t from, std::size_t t
 
 }  // namespace
 
-std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& limits,
-                                    std::span<Vertex> scratch) {
-  const Outline outline = outline_of(chain, scratch);
-  if (outline.area < limits.min_area || outline.area > limits.max_area) return std::nullopt;
-  if (!may_be_quad(outline)) return std::nullopt;
-  const std::optional<Indices> corners = widest_corners(outline.vertices);
+std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& limits, Outline& outline) {
+  const Shape shape = shape_of(chain);
+  const auto area = static_cast<double>(shape.area);
+  if (area < limits.min_area || area > limits.max_area || !may_be_quad(shape)) return std::nullopt;
+  draw(chain, outline);
+  const std::optional<Indices> corners = widest_corners(outline);
   if (!corners) return std::nullopt;
 
   std::array<Point, 4> rough{};
   double perimeter = 0;
-  for (std::size_t i = 0; i < 4; ++i) rough[i] = crack_point(outline.vertices[(*corners)[i]]);
+  for (std::size_t i = 0; i < 4; ++i) rough[i] = crack_point(outline, (*corners)[i]);
   for (std::size_t i = 0; i < 4; ++i) {
     const Point a = rough[i];
     const Point b = rough[(i + 1) % 4];
@@ -190,7 +159,7 @@ std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& 
     perimeter += side;
   }
   const double spanned = area_of(rough);
-  const double missing = spanned - outline.area;
+  const double missing = spanned - area;
   if (missing < -0.1 * spanned - 0.5 * perimeter || missing > 0.1 * spanned + 1.5 * perimeter) {
     return std::nullopt;
   }
@@ -198,7 +167,7 @@ std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& 
   const double tolerance = 0.6 + 0.004 * perimeter;
   std::array<Line, 4> lines{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto line = side_line(outline.vertices, (*corners)[i], (*corners)[(i + 1) % 4], tolerance);
+    const auto line = side_line(outline, (*corners)[i], (*corners)[(i + 1) % 4], tolerance);
     if (!line) return std::nullopt;
     lines[i] = *line;
   }

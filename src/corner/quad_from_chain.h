@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "contour/chain.h"
+#include "corner/outline.h"
 #include "corner/quad.h"
 
 namespace runmark {
@@ -16,12 +16,6 @@ struct QuadLimits {
   double min_side = 3;
 };
 
-/// A vertex of a chain's polygon: the crack x and the crack line y.
-struct Vertex {
-  std::uint16_t x = 0;
-  std::uint16_t y = 0;
-};
-
 /// Room for the vertices of the longest chain the linker hands on.
 [[nodiscard]] constexpr std::size_t max_vertices(const ChainLimits& limits) {
   return 2 * static_cast<std::size_t>(limits.max_records);
@@ -31,8 +25,8 @@ struct Vertex {
 /// area, then a line fitted to the cracks of each side, then the points where neighbouring lines meet.
 /// Nothing when the chain's area differs from the quadrilateral's, when a side is not straight or when
 /// the corners are not convex.
-/// @param scratch  room for max_vertices
+/// @param outline  scratch with room for max_vertices
 [[nodiscard]] std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& limits,
-                                                  std::span<Vertex> scratch);
+                                                  Outline& outline);
 
 }  // namespace runmark

@@ -19,12 +19,12 @@ constexpr std::size_t most_waiting = 256;  // quadrilaterals; further ones are r
 
 StandardPipeline::StandardPipeline(const Options& options, const std::vector<Dictionary>& dictionaries)
     : options_(options),
-      reader_(dictionaries, {options.corrected_bits, options.min_margin, options.inverted}) {
+      reader_(dictionaries, {options.corrected_bits, options.min_margin, options.inverted}),
+      outline_(max_vertices(ChainLimits{})) {
   for (int level = 0; level <= options.octaves; ++level) {
     const int width = std::max(options.max_width >> level, 1);
     const ScaleRules rules = scale_rules(options, level, reader_.reads(true));
     scales_.push_back({Octave(width, rules.contours), RowStore(width, rows_kept), rules.tiles, rules.quads});
-    vertices_.resize(max_vertices(rules.contours.chains));
   }
   waiting_.reserve(most_waiting);
 }
@@ -79,7 +79,7 @@ void StandardPipeline::push_scaled(std::size_t level, const std::uint8_t* grey, 
 void StandardPipeline::consider(std::size_t level, const ClosedChain& chain, const GreyFrame& frame,
                                 FoundMarkers& found, FrameStats& stats) {
   if (!reader_.reads(chain.hole)) return;
-  std::optional<Quad> quad = quad_from_chain(chain, scales_[level].limits, vertices_);
+  std::optional<Quad> quad = quad_from_chain(chain, scales_[level].limits, outline_);
   if (!quad) return;
   ++stats.quads;
   const double scale = std::ldexp(1.0, static_cast<int>(level));
@@ -117,8 +117,8 @@ void StandardPipeline::end_frame(FrameStats& stats) {
 }
 
 std::size_t StandardPipeline::memory() const {
-  std::size_t bytes =
-      sizeof(*this) + reader_.memory() + vertices_.size() * sizeof(Vertex) + most_waiting * sizeof(Waiting);
+  std::size_t bytes = sizeof(*this) + reader_.memory() + 2 * outline_.x.size() * sizeof(float) +
+                      most_waiting * sizeof(Waiting);
   for (const Scale& scale : scales_) bytes += scale.octave.memory() + scale.rows.memory();
   return bytes;
 }

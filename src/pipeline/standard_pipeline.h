@@ -48,7 +48,7 @@ class StandardPipeline final : public FramePipeline {
   MarkerReader reader_;
   std::vector<Scale> scales_;
   std::size_t scales_used_ = 0;  // of this frame
-  std::vector<Vertex> vertices_;
+  Outline outline_;              // of the chain looked at
   std::vector<Waiting> waiting_;
 };
 

@@ -99,8 +99,22 @@ void ThresholdRowOf(const std::uint8_t* grey, int width, const std::uint8_t* lev
         hn::Lt(hn::LoadU(d, grey + x), hn::TableLookupBytes(hn::BitCast(d, level), first_of_four));
     hn::StoreMaskBits(d, dark, bytes + x / 8);
   }
-  runmark::threshold_row(grey + whole, width - whole, levels + whole / tile_side,
-                         bits + whole / bits_per_word);
+  // The last word takes what is left, sixteen pixels at a time while there are so many.
+  const hn::CappedTag<std::uint8_t, 16> some;
+  const hn::Repartition<std::uint32_t, decltype(some)> some_words;
+  const hn::Rebind<std::uint8_t, decltype(some_words)> some_tiles;
+  bits[whole / bits_per_word] = 0;
+  int x = whole;
+  for (; x + 16 <= width; x += static_cast<int>(hn::Lanes(some))) {
+    const auto level = hn::PromoteTo(some_words, hn::LoadU(some_tiles, levels + x / tile_side));
+    const auto four_times = hn::TableLookupBytes(
+        hn::BitCast(some, level), hn::And(hn::Iota(some, 0), hn::Set(some, std::uint8_t{0xFC})));
+    hn::StoreMaskBits(some, hn::Lt(hn::LoadU(some, grey + x), four_times), bytes + x / 8);
+  }
+  for (; x < width; ++x) {
+    const BitWord dark = grey[x] < levels[x / tile_side] ? 1 : 0;
+    bits[whole / bits_per_word] |= dark << (x - whole);
+  }
 }
 
 #endif

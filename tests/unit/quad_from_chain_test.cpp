@@ -21,7 +21,7 @@ bool inside(const std::array<Point, 4>& corners, double x, double y) {
 
 std::vector<Quad> quads_of(int width, int height, const auto& dark) {
   std::vector<Quad> quads;
-  std::vector<Vertex> scratch(20000);
+  Outline scratch(20000);
   test::follow_contours(width, height, dark, [&](const ClosedChain& chain) {
     if (const auto quad = quad_from_chain(chain, {}, scratch)) quads.push_back(*quad);
   });

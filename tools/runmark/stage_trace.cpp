@@ -207,7 +207,7 @@ void trace_standard(StageTrace& result, const Options& options, const std::vecto
   cv::Mat grey = result.grey;
   for (int level = 0; level <= options.octaves && scale_is_used(level, grey.cols, grey.rows); ++level) {
     const ScaleRules scale = scale_rules(options, level, light);
-    std::vector<Vertex> scratch(max_vertices(scale.contours.chains));
+    Outline scratch(max_vertices(scale.contours.chains));
     const auto corner = [&](const ClosedChain& chain) -> std::optional<Quad> {
       if (!(chain.hole ? light : dark)) return std::nullopt;
       return quad_from_chain(chain, scale.quads, scratch);
