@@ -80,11 +80,21 @@ class SideEdgeSearch {
       const double middle = start_.y + slope * (place - start_.x);
       const int from = static_cast<int>(std::floor(middle)) - half;
       rises_.first[i] = static_cast<float>(from + 0.5 - middle);
-      int before = grey(place, std::clamp(from, 0, across_limit));
-      for (int k = 0; k < rises_.rises; ++k) {
-        const int after = grey(place, std::clamp(from + k + 1, 0, across_limit));
-        rises_.rise[k][i] = static_cast<float>(sign_ * (after - before));
-        before = after;
+      const auto store = [&](auto&& grey_at) {
+        int before = grey_at(from);
+        for (int k = 0; k < rises_.rises; ++k) {
+          const int after = grey_at(from + k + 1);
+          rises_.rise[k][i] = static_cast<float>(sign_ * (after - before));
+          before = after;
+        }
+      };
+      if (from < 0 || from + rises_.rises > across_limit) {
+        store([&](int n) { return grey(place, std::clamp(n, 0, across_limit)); });
+      } else if (steep_ && frame_.format == PixelFormat::grey) {
+        const std::uint8_t* row = frame_.rows[place];
+        store([&](int n) { return int{row[static_cast<std::ptrdiff_t>(n) * frame_.step]}; });
+      } else {
+        store([&](int n) { return grey(place, n); });
       }
     }
     for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) {

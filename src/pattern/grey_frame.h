@@ -30,10 +30,13 @@ struct GreyFrame {
     const int y1 = std::min(y0 + 1, height - 1);
     const float fx = x - static_cast<float>(x0);
     const float fy = y - static_cast<float>(y0);
-    const auto a = static_cast<float>(at(x0, y0));
-    const auto b = static_cast<float>(at(x1, y0));
-    const auto c = static_cast<float>(at(x0, y1));
-    const auto d = static_cast<float>(at(x1, y1));
+    const std::uint8_t* above = rows[y0] + static_cast<std::ptrdiff_t>(x0) * step;
+    const std::uint8_t* below = rows[y1] + static_cast<std::ptrdiff_t>(x0) * step;
+    const std::ptrdiff_t right = static_cast<std::ptrdiff_t>(x1 - x0) * step;
+    const auto a = static_cast<float>(grey_of(above, format));
+    const auto b = static_cast<float>(grey_of(above + right, format));
+    const auto c = static_cast<float>(grey_of(below, format));
+    const auto d = static_cast<float>(grey_of(below + right, format));
     const float upper = a + fx * (b - a);
     const float lower = c + fx * (d - c);
     return upper + fy * (lower - upper);
