@@ -19,6 +19,11 @@ install(FILES ${PROJECT_BINARY_DIR}/runmark-config.cmake ${PROJECT_BINARY_DIR}/r
 
 # Its paths are relative to the file itself, so that the tree can be moved.
 file(RELATIVE_PATH pc_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+# Who links the static library links Highway too.
+set(pc_requires Requires)
+if(BUILD_SHARED_LIBS)
+  set(pc_requires Requires.private)
+endif()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/runmark.pc.in ${PROJECT_BINARY_DIR}/runmark.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/runmark.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

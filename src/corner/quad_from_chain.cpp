@@ -39,7 +39,7 @@ Shape shape_of(const ClosedChain& chain) {
 /// Whether the shape may be a quadrilateral: a convex one fills a good part of the box round it and is as
 /// long as the box is, and a ragged edge makes it a little longer.
 bool may_be_quad(const Shape& s) {
-  return 5 * s.area >= s.width * s.height && s.perimeter <= 4 * (s.width + s.height) + 8;
+  return 5 * s.area >= s.width * s.height && s.perimeter <= 6 * (s.width + s.height) + 8;
 }
 
 /// Clockwise whichever way the chain goes.

@@ -32,7 +32,7 @@ if [[ $kind == shared ]]; then
     >"$work/exported.txt"
   diff -u "$source/tests/install/exported_symbols.txt" "$work/exported.txt" ||
     fail "the exports differ from tests/install/exported_symbols.txt; if that is meant, copy $work/exported.txt there"
-  needed=$(readelf -d "$so" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -vE '^(libstdc\+\+|libm|libgcc_s|libc|ld-linux.*)\.so' || true)
+  needed=$(readelf -d "$so" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -vE '^(libstdc\+\+|libhwy|libm|libgcc_s|libc|ld-linux.*)\.so' || true)
   [[ -z $needed ]] || fail "the library needs $needed"
 else
   [[ -f $lib/librunmark.a ]] || fail "no librunmark.a in $lib"
