@@ -110,7 +110,7 @@ class SideEdgeSearch {
   /// Squared rises single out the strongest edge within reach.
   [[nodiscard]] bool coarse(double across, Bow& bow) const {
     constexpr float least_weight = 64;
-    EdgeMoments moments;
+    EdgeMoments moments{};
     square_moments(rises_, static_cast<float>(across + 0.5), moments);
     BowFit fit;
     int clear = 0;
@@ -149,7 +149,7 @@ class SideEdgeSearch {
     constexpr double least_gain = 0.3;
     float offset[most_lines];
     cross_lines(bow, offset);
-    EdgeMoments moments;
+    EdgeMoments moments{};
     const auto cut = static_cast<double>(window_moments(rises_, offset, static_cast<float>(width), moments));
     double all = 0;
     for (int i = 0; i < rises_.lines; ++i) all += static_cast<double>(moments.weight[i]);
@@ -184,7 +184,7 @@ class SideEdgeSearch {
   int sign_ = 1;
   const GreyFrame& frame_;
   EdgeRises rises_;
-  double share_[most_lines];  // of the way from start to end, of each line
+  double share_[most_lines]{};  // of the way from start to end, of each line
 };
 
 }  // namespace

@@ -4,6 +4,8 @@ namespace runmark {
 
 /// Grey level rises between neighbouring pixels across one side of a quadrilateral, on up to most_lines rows
 /// or columns of pixels. Positions are counted across the side, in pixels from the straight side.
+// Much of it is not used for most sides, so it is not cleared.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct EdgeRises {
   static constexpr int most_lines = 24;
   static constexpr int most_rises = 40;
