@@ -64,7 +64,7 @@ module quad #(
       MEET_1 = 6'd44, MEET_2 = 6'd45, MEET_3 = 6'd46, MEET_4 = 6'd47, MEET_5 = 6'd48, MEET_6 = 6'd49, REACH = 6'd50,
       PLACE_1 = 6'd51, PLACE_2 = 6'd52, PLACE_3 = 6'd53, PLACE_4 = 6'd54, RELEASE = 6'd55, EMIT = 6'd56,
       PLACE_5 = 6'd57, FILL = 6'd58,
-      PLACE_6 = 6'd59, SPAN_LEFT = 6'd60, PLACE_7 = 6'd62;
+      PLACE_6 = 6'd59, SPAN_LEFT = 6'd60, SIDE_SIZE = 6'd61, PLACE_7 = 6'd62;
   logic [5:0] state;
   logic good;
   logic [4:0] count;
@@ -170,8 +170,8 @@ module quad #(
   logic signed [CW-1:0] side_x, side_y;
   logic across, backwards;
   logic signed [CW-1:0] low, high, start_over, over;
-  wire signed [CW-1:0] rise = backwards ? -over : over;
   logic [CW-1:0] length;
+  logic [CW-2:0] over_half;
   logic [XW+3:0] perimeter;
   logic signed [CW-1:0] segment_from, segment_to, segment_over, segment_a, segment_b;
   logic signed [CW+1:0] segment_x;
@@ -182,7 +182,6 @@ module quad #(
   logic [CW-1:0] columns;
   logic signed [16:0] slope;
   logic signed [XW+5:0] mean;
-  wire [CW-1:0] rise_room = CW'(2) + (length >> 2);
   wire [CW-1:0] margin = length < CW'(5) ? '0 : CW'(1) + (length >> 4);
   wire signed [CW-1:0] from_x = wide_x(corner_x[0]);
   wire signed [CW-1:0] from_y = wide_y(corner_y[0]);
@@ -223,10 +222,8 @@ module quad #(
   assign quad_y = {out_y[3], out_y[2], out_y[1], out_y[0]};
 
   // Tests whose terms are registered a state before.
-  logic signed [CW+16:0] off_rise;
   logic signed [XW+6:0] off_middle;
   // Whether a magnitude is greater than a limit, its sign being the last bit's carry.
-  wire [CW+17:0] rise_left = {(CW + 17)'({rise_room, 14'b0}), 1'b1} + {~off_rise ^ {(CW + 17) {off_rise[CW+16]}}, !off_rise[CW+16]};
   wire [XW+7:0] middle_left = {(XW + 7)'(32) + (XW + 7)'(length), 1'b1}
                             + {~off_middle ^ {(XW + 7) {off_middle[XW+6]}}, !off_middle[XW+6]};
   logic [VW-1:0] spanned;  // twice the area of the rough corners
@@ -345,12 +342,17 @@ module quad #(
       SIDES: begin
         side_x <= to_corner_x - from_x;
         side_y <= to_corner_y - from_y;
+        state <= SIDE_SIZE;
+      end
+      SIDE_SIZE: begin
+        length <= longer;
+        over_half <= half_shorter;
         state <= SIDE_LENGTH;
       end
       SIDE_LENGTH: begin
-        perimeter <= perimeter + (XW + 4)'(longer) + (XW + 4)'(half_shorter);
+        perimeter <= perimeter + (XW + 4)'(length) + (XW + 4)'(over_half);
         side <= next_side;
-        state <= longer < CW'(min_side) ? RELEASE : side == 2'd3 ? SPAN : SIDES;
+        state <= length < CW'(min_side) ? RELEASE : side == 2'd3 ? SPAN : SIDES;
       end
       SPAN: begin
         f1 <= MW'(minus(wide_x(corner_x[2]), wide_x(corner_x[0])));
@@ -496,8 +498,6 @@ module quad #(
         state <= quotient[15] ? RELEASE : MEAN;
       end
       MEAN: begin
-        f1 <= MW'(slope);
-        g1 <= 18'($signed(length));
         if (!divide && !dividing) begin
           mean <= (XW + 6)'(result);
           state <= quotient[XW+4] ? RELEASE : MEAN_IN;
@@ -505,10 +505,9 @@ module quad #(
       end
       MEAN_IN: begin
         off_middle <= (XW + 7)'(mean) - ((XW + 7)'(over) <<< 3);
-        off_rise <= p1[CW+16:0] - ((CW + 17)'(rise) <<< 14);
         state <= OFF;
       end
-      OFF: state <= middle_left[XW+7] || rise_left[CW+17] ? RELEASE : LINE;
+      OFF: state <= middle_left[XW+7] ? RELEASE : LINE;
       LINE: begin
         side <= next_side;
         state <= side == 2'd3 ? MEET_1 : SETUP_1;

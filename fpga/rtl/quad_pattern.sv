@@ -445,7 +445,7 @@ module quad_pattern #(
         count <= count + 1'b1;
         if (count == 3'd6) begin
           white_cell <= !sharp[19] && sharp != '0;
-          sharp_size <= sharp[19] ? -sharp : sharp;
+          sharp_size <= sharp ^ {20{sharp[19]}};
         end else begin
           grid[{3'(row - 4'd1), 3'(column - 4'd1)}] <= white_cell;
           marker_clearance <= marker_clearance + (sharp_size < 20'(contrast) ? sharp_size : 20'(contrast));

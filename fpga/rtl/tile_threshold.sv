@@ -145,9 +145,7 @@ module tile_threshold #(
       rest <= done && done_last && !fresh;
       spread <= spreads && !fresh;
       spread_tile <= spreads_tile;
-      spread_range <= !done_real ? NOTHING
-                    : rest ? both(left, far_left)
-                    : both(both(left, done_range), far_left);
+      spread_range <= done_real ? both(both(left, rest ? NOTHING : done_range), far_left) : NOTHING;
       spread_first <= done_first;
 
       leveled <= spread && !fresh;

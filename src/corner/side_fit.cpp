@@ -22,11 +22,9 @@ SideFit::SideFit(const NumberedVertex& from, const NumberedVertex& to) {
   across_ = std::abs(dx) >= std::abs(dy);
   const std::int32_t start = across_ ? from.x : from.y;
   const std::int32_t end = across_ ? to.x : to.y;
-  const std::int32_t over = across_ ? dy : dx;
   start_over_ = across_ ? from.y : from.x;
   backwards_ = end < start;
-  rise_ = backwards_ ? -over : over;
-  middle_over2_ = over;
+  middle_over2_ = across_ ? dy : dx;
   length_ = std::abs(end - start);
   const std::int32_t margin = length_ < 5 ? 0 : 1 + (length_ >> 4);
   low_ = std::min(start, end) + margin;
@@ -53,11 +51,9 @@ std::optional<IntegerLine> SideFit::line() const {
   const std::int64_t mean =
       turned(floor_of(sum_ * (1 << subpixel_bits), n), backwards_);  // above start_over_
 
-  // Against the rough side: its middle, and its rise.
+  // Against the middle of the rough side.
   const std::int64_t off_middle = 2 * mean - (std::int64_t{middle_over2_} << subpixel_bits);
   if (std::abs(off_middle) > 2 * ((2 << subpixel_bits) + length_)) return std::nullopt;
-  const std::int64_t off_rise = slope * std::int64_t{length_} - rise_ * one;
-  if (std::abs(off_rise) > (2 + length_ / 4) * one) return std::nullopt;
 
   // A crack lies half a pixel before the centre of the pixel behind it.
   const std::int32_t along = ((low_ + high_) << (subpixel_bits - 1)) - (1 << (subpixel_bits - 1));

@@ -46,7 +46,6 @@ class SideFit {
   std::int32_t low_ = 0;  // limits of what counts, along the side
   std::int32_t high_ = 0;
   std::int32_t start_over_ = 0;    // of the first corner
-  std::int32_t rise_ = 0;          // over, from the lower end along to the higher one
   std::int32_t middle_over2_ = 0;  // twice the middle of the rough side, above start_over_
   std::int32_t length_ = 0;        // along
   bool backwards_ = false;         // the chain runs from high to low

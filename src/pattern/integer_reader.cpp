@@ -123,7 +123,7 @@ std::optional<CellBits> read_cells(const GreyFrame& frame, int last_row, const I
           at(column - 1, row) + at(column + 1, row) + at(column, row - 1) + at(column, row + 1);
       const FineGrey sharp = 6 * at(column, row) - neighbours;
       bits.code = (bits.code << 1) | (sharp > 0 ? 1U : 0U);
-      bits.clearance += std::min(std::abs(sharp), light.contrast());
+      bits.clearance += std::min(sharp < 0 ? ~sharp : sharp, light.contrast());
     }
   }
   bits.scale = 2 * light.contrast() * (width - 2) * (width - 2);
