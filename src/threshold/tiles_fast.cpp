@@ -90,7 +90,7 @@ void ThresholdRowOf(const std::uint8_t* grey, int width, const std::uint8_t* lev
   const Bytes d;
   const Words words;
   const TileBytes tiles;
-  const auto first_of_four = hn::And(hn::Iota(d, 0), hn::Set(d, std::uint8_t{0xFC}));
+  const auto first_of_four = hn::And(hn::Iota(d, 0), hn::Set(d, std::uint8_t{0x0C}));
   auto* bytes = reinterpret_cast<std::uint8_t*>(bits);
   const int whole = width / bits_per_word * bits_per_word;
   for (int x = 0; x < whole; x += static_cast<int>(hn::Lanes(d))) {
