@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -6,8 +7,16 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
+#include <optional>
+#include <stdexcept>
 
+#include "bench/cpu_clock.h"
+#include "bench/speed/core_times.h"
 #include "bench/speed/measure.h"
+#include "bench/speed/noise_sweep.h"
+#include "bench/speed/time_model.h"
+#include "evaluate/percentile.h"
+#include "runmark/detector.h"
 
 namespace runmark::bench {
 namespace {
@@ -18,7 +27,16 @@ struct Arguments {
   int rounds = 20;
   std::filesystem::path photos;
   int photo_count = 12;
+  std::vector<std::string> noise_sets{"vga"};
   std::filesystem::path json;
+};
+
+/// All that is found out about one set of frames.
+struct Figures {
+  std::vector<Timing> timings;
+  std::vector<CoreTime> cores;      ///< medians over the frames
+  std::vector<FrameWork> work;      ///< of each frame
+  std::optional<NoiseSweep> noise;  ///< at the set's size
 };
 
 int fail(const std::string& message) {
@@ -35,11 +53,76 @@ void print_table(const FrameSet& set, const std::vector<Timing>& timings, int ro
     std::printf("  %-20s %10.4f %10.4f %10.4f %11.3fx\n", t.worker.c_str(), t.median(), t.p95(), t.worst(),
                 t.median() / ours);
   }
-  std::printf("\n");
-  std::fflush(stdout);
 }
 
-nlohmann::ordered_json to_json(const FrameSet& set, const std::vector<Timing>& timings, int rounds) {
+/// The median core times over the frames.
+std::vector<CoreTime> median_core_times(const FrameSet& set, int rounds) {
+  std::vector<CoreTime> result;
+  std::vector<std::vector<double>> times;
+  for (const TimedFrame& frame : set.frames) {
+    result = core_times(frame, rounds);
+    times.resize(result.size());
+    for (std::size_t i = 0; i < result.size(); ++i) times[i].push_back(result[i].milliseconds);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    std::ranges::sort(times[i]);
+    result[i].milliseconds = percentile(times[i], 0.5);
+  }
+  return result;
+}
+
+std::vector<FrameWork> frame_work(const FrameSet& set, int rounds) {
+  std::vector<FrameWork> result;
+  for (const TimedFrame& frame : set.frames) {
+    Options options{.max_width = frame.grey.cols, .max_height = frame.grey.rows, .inverted = frame.inverted};
+    auto detector = Detector::create(options, frame.dictionaries);
+    if (!detector) throw std::runtime_error(detector.error());
+    const auto view = ImageView::grey(frame.grey.data, frame.grey.cols, frame.grey.rows,
+                                      static_cast<std::ptrdiff_t>(frame.grey.step[0]));
+    std::vector<double> times;
+    for (int round = 0; round <= rounds; ++round) {
+      const double start = cpu_milliseconds();
+      static_cast<void>(detector->detect(view));
+      if (round > 0) times.push_back(cpu_milliseconds() - start);
+    }
+    std::ranges::sort(times);
+    const FrameStats& stats = detector->stats();
+    result.push_back({static_cast<double>(stats.pixels), static_cast<double>(stats.crack_runs),
+                      static_cast<double>(detector->markers().size()), percentile(times, 0.5)});
+  }
+  return result;
+}
+
+void print_cores(const std::vector<CoreTime>& cores) {
+  double sum = 0;
+  for (const CoreTime& core : cores) sum += core.milliseconds;
+  std::printf("  cores:");
+  for (const CoreTime& core : cores)
+    std::printf(" %s %.0f %%", core.core.c_str(), 100 * core.milliseconds / sum);
+  std::printf("\n");
+}
+
+void print_noise(const NoiseSweep& noise, double median) {
+  std::printf("  noise: worst of %zu kinds %.1f times the median; %.2f MB of memory\n", noise.cells.size(),
+              noise.worst() / median, static_cast<double>(noise.memory) / 1e6);
+}
+
+nlohmann::ordered_json to_json(const NoiseSweep& noise, double median) {
+  nlohmann::ordered_json cells = nlohmann::ordered_json::array();
+  for (const NoiseCell& cell : noise.cells) {
+    cells.push_back({{"density", cell.density},
+                     {"granularity", cell.granularity},
+                     {"ms", cell.milliseconds},
+                     {"over_median", cell.milliseconds / median},
+                     {"crack_runs", cell.crack_runs},
+                     {"records_peak", cell.records_peak},
+                     {"dropped_chains", cell.dropped_chains}});
+  }
+  return {{"worst_over_median", noise.worst() / median}, {"memory", noise.memory}, {"cells", cells}};
+}
+
+nlohmann::ordered_json to_json(const FrameSet& set, const Figures& figures, int rounds) {
+  const std::vector<Timing>& timings = figures.timings;
   const auto median = [&](const char* worker) { return timing_of(timings, worker).median(); };
   const Timing& ours = timing_of(timings, "runmark");
   nlohmann::ordered_json entry{{"size", set.name},
@@ -51,32 +134,64 @@ nlohmann::ordered_json to_json(const FrameSet& set, const std::vector<Timing>& t
                                {"opencv_ratio", median("opencv-subpix") / ours.median()},
                                {"apriltag_ratio", median("apriltag-1") / ours.median()},
                                {"apriltag_decimate2_ratio", median("apriltag-2") / ours.median()},
-                               {"p95_over_median", ours.p95() / ours.median()}};
+                               {"p95_over_median", ours.p95() / ours.median()},
+                               {"streaming_ratio", median("runmark-streamed") / ours.median()}};
   for (const Timing& t : timings) {
     entry["ms"][t.worker] = {{"median", t.median()}, {"p95", t.p95()}, {"worst", t.worst()}};
   }
+  double sum = 0;
+  for (const CoreTime& core : figures.cores) sum += core.milliseconds;
+  for (const CoreTime& core : figures.cores) entry["core_shares"][core.core] = core.milliseconds / sum;
+  const TimeModel model = fit_time(figures.work);
+  entry["time_model_ns"] = {{"per_pixel", model.per_pixel},
+                            {"per_crack_run", model.per_crack_run},
+                            {"per_marker", model.per_marker},
+                            {"relative_error", model.error}};
+  for (const FrameWork& work : figures.work) {
+    entry["work"].push_back({{"pixels", work.pixels},
+                             {"crack_runs", work.crack_runs},
+                             {"markers", work.markers},
+                             {"ms", work.milliseconds}});
+  }
+  if (figures.noise) entry["noise"] = to_json(*figures.noise, ours.median());
   return entry;
 }
 
 int run(const Arguments& arguments) {
   cv::setNumThreads(1);
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  const auto add = [&](const Result<FrameSet>& set) {
+  std::vector<FrameWork> work;
+  const auto add = [&](const Result<FrameSet>& set, bool with_noise) {
     if (!set) return fail(set.error());
-    const std::vector<Timing> timings = measure(*set, arguments.rounds);
-    print_table(*set, timings, arguments.rounds);
-    all.push_back(to_json(*set, timings, arguments.rounds));
+    const int rounds = arguments.rounds;
+    Figures figures{measure(*set, rounds), median_core_times(*set, rounds), frame_work(*set, rounds), {}};
+    print_table(*set, figures.timings, rounds);
+    print_cores(figures.cores);
+    if (with_noise) {
+      const cv::Mat& frame = set->frames[0].grey;
+      figures.noise = sweep_noise(frame.cols, frame.rows, std::min(rounds, 5));
+      print_noise(*figures.noise, timing_of(figures.timings, "runmark").median());
+    }
+    work.insert(work.end(), figures.work.begin(), figures.work.end());
+    all.push_back(to_json(*set, figures, rounds));
+    std::printf("\n");
+    std::fflush(stdout);
     return 0;
   };
   for (const std::string& name : arguments.sets) {
-    if (const int status = add(standard_frames(name, arguments.scenes)); status != 0) return status;
+    const bool with_noise = std::ranges::find(arguments.noise_sets, name) != arguments.noise_sets.end();
+    if (const int status = add(standard_frames(name, arguments.scenes), with_noise); status != 0)
+      return status;
   }
   if (arguments.photo_count > 0 && std::filesystem::exists(arguments.photos)) {
-    if (const int status = add(photo_frames(arguments.photos, arguments.photo_count)); status != 0)
+    if (const int status = add(photo_frames(arguments.photos, arguments.photo_count), false); status != 0)
       return status;
   } else if (arguments.photo_count > 0) {
     std::printf("photos: left out, there is no %s\n", arguments.photos.c_str());
   }
+  const TimeModel model = fit_time(work);
+  std::printf("all frames: %.3f ns a pixel, %.1f ns a crack run, %.0f ns a marker (relative error %.2f)\n",
+              model.per_pixel, model.per_crack_run, model.per_marker, model.error);
   if (arguments.json.empty()) return 0;
   std::ofstream out(arguments.json);
   out << all.dump(1) << '\n';
@@ -106,6 +221,13 @@ int main(int argc, char** argv) {
   app.add_option("--photos", arguments.photos, "truth file of the real photos");
   app.add_option("--photo-count", arguments.photo_count, "how many photos, 0 for none")
       ->check(CLI::Range(0, 100000));
+  app.add_option("--noise", arguments.noise_sets,
+                 "standard sets at whose size random frames are timed; 'none'")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"vga", "hd", "fullhd", "uhd", "none"}));
+  bool quick = false;
+  app.add_flag("--quick", quick,
+               "a rough look in less than a minute: 2 scenes of all but uhd, 5 rounds, no photos");
   app.add_option("--json", arguments.json, "file to write the figures to");
   try {
     app.parse(argc, argv);
@@ -114,6 +236,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     std::cerr << "runmark-bench: " << error.what() << '\n';
     return 2;
+  }
+  if (quick) {
+    arguments.sets = {"vga", "hd", "fullhd"};
+    arguments.scenes = 2;
+    arguments.rounds = 5;
+    arguments.photo_count = 0;
   }
   std::erase(arguments.sets, "none");
   try {

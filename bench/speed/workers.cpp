@@ -3,8 +3,10 @@
 #include <cstring>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 #include "bench/peers/reader.h"
+#include "runmark/detector.h"
 
 namespace runmark::bench {
 namespace {
@@ -22,6 +24,26 @@ cv::Mat binary(const cv::Mat& grey) {
   return result;
 }
 
+/// runmark again, rows handed over one by one.
+Worker streamed(const TimedFrame& frame) {
+  Options options;
+  options.inverted = frame.inverted;
+  options.max_width = frame.grey.cols;
+  options.max_height = frame.grey.rows;
+  auto made = Detector::create(options, frame.dictionaries);
+  if (!made) throw std::runtime_error(made.error());
+  auto detector = std::make_shared<Detector>(*std::move(made));
+  return {"runmark-streamed", 1, [detector, &frame] {
+            const auto stride = static_cast<std::ptrdiff_t>(frame.grey.step[0]);
+            static_cast<void>(detector->begin(frame.grey.cols, frame.grey.rows));
+            for (int y = 0; y < frame.grey.rows; ++y) {
+              static_cast<void>(
+                  detector->push_rows(ImageView::grey(frame.grey.ptr(y), frame.grey.cols, 1, stride)));
+            }
+            static_cast<void>(detector->end());
+          }};
+}
+
 }  // namespace
 
 std::vector<Worker> workers_for(const TimedFrame& frame) {
@@ -29,6 +51,7 @@ std::vector<Worker> workers_for(const TimedFrame& frame) {
   for (const char* name : {"runmark", "opencv-subpix", "apriltag-1", "apriltag-2"}) {
     workers.push_back(reader(name, frame));
   }
+  workers.push_back(streamed(frame));
   auto to = std::make_shared<cv::Mat>(frame.grey.size(), CV_8UC1, cv::Scalar(0));
   const cv::Mat grey = frame.grey.clone();  // one block of memory, whatever the frame is
   const std::size_t bytes = grey.total();

@@ -15,9 +15,9 @@ struct Worker {
   std::function<void()> work;
 };
 
-/// For one frame: runmark, OpenCV's ArUco (sub-pixel), AprilTag 3 (decimate 1 and 2), then the floor and
-/// OpenCV's building blocks of a detector: a copy of the frame (in cache), threshold, adaptiveThreshold,
-/// connectedComponents, findContours. The frame must outlive them.
+/// For one frame: runmark, OpenCV's ArUco (sub-pixel), AprilTag 3 (decimate 1 and 2), runmark fed row by row,
+/// then the floor and OpenCV's building blocks of a detector: a copy of the frame (in cache), threshold,
+/// adaptiveThreshold, connectedComponents, findContours. The frame must outlive them.
 [[nodiscard]] std::vector<Worker> workers_for(const TimedFrame& frame);
 
 }  // namespace runmark::bench
