@@ -30,7 +30,8 @@ constexpr int widths[] = {1, 2, 3, 7, 15, 16, 17, 31, 33, 63, 64, 65, 127, 128, 
 std::vector<std::int64_t> targets() {
   std::vector<std::int64_t> all;
   // Those compiled in that this processor has; SCALAR is the plain form itself.
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) all.push_back(left & -left);
+  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+    all.push_back(left & -left);
   return all;
 }
 
