@@ -16,7 +16,8 @@ struct Timing {
   [[nodiscard]] double worst() const;
 };
 
-/// Every worker takes its turn on a frame, `rounds` times, after one turn that does not count.
+/// Every worker takes its turn on a frame, `rounds` times, after one turn that does not count. One that takes
+/// less than 20 ms is called once more before each turn, so that all find the frame in the caches.
 [[nodiscard]] std::vector<Timing> measure(const FrameSet& set, int rounds);
 
 /// The timing of that worker.
