@@ -54,6 +54,7 @@ module contour #(
     output logic          count_dropped_full,
     output logic          count_dropped_rule,
     output logic          count_dropped_queue,
+    output logic          count_frame,        // a frame's last chain has been handed on
     output logic          count_abandoned,    // a frame ended with open chains; how many:
     output logic [$clog2(ENDS + 1)-1:0] abandoned,
     output logic [RW-1:0] record_peak,
@@ -79,21 +80,17 @@ module contour #(
   logic crack_valid, crack_pop, crack_push, crack_room;
   logic [EW-1:0] crack, crack_in;
   stream_fifo #(.WIDTH(EW), .DEPTH(ENDS)) cracks (
-      .clk(clk), .clear(clear), .in_valid(crack_push), .in_ready(crack_room), .in_data(crack_in),
-      .out_valid(crack_valid), .out_ready(crack_pop), .out_data(crack));
+      .in_valid(crack_push), .in_ready(crack_room), .in_data(crack_in),
+      .out_valid(crack_valid), .out_ready(crack_pop), .out_data(crack), .*);
 
   // The records.
   logic pool_busy, pool_none, pool_take, pool_link, pool_give;
   logic [RW-1:0] new_record, link_from, link_to, give_head, give_tail;
   record_pool #(.RECORDS(RECORDS), .XW(XW), .YW(YW)) pool (
-      .clk(clk), .clear(clear), .busy(pool_busy), .none(pool_none), .free_record(new_record), .peak(record_peak),
-      .take(pool_take), .take_x(event_x), .take_y(event_y),
-      .link(pool_link), .link_from(link_from), .link_to(link_to),
-      .give(pool_give), .give_head(give_head), .give_tail(give_tail),
+      .busy(pool_busy), .none(pool_none), .free_record(new_record), .peak(record_peak),
+      .take(pool_take), .take_x(event_x), .take_y(event_y), .link(pool_link), .give(pool_give),
       .read(walk_read), .read_granted(walk_granted), .read_record(walk_record),
-      .read_x(walk_x), .read_y(walk_y), .read_next(walk_next),
-      .release_valid(release_valid), .release_ready(release_ready),
-      .release_head(release_head), .release_tail(release_tail));
+      .read_x(walk_x), .read_y(walk_y), .read_next(walk_next), .*);
 
   // The table of open ends. Free ones stand in a list through their partners, always two and two.
   // A dead end has no record.
@@ -149,9 +146,9 @@ module contour #(
   logic walk_idle;
   logic [2*RW+1:0] chain_out;
   stream_fifo #(.WIDTH(2 * RW + 2), .DEPTH(QUEUE)) chains (
-      .clk(clk), .clear(reset), .in_valid(chain_push), .in_ready(chain_room),
+      .clear(reset), .in_valid(chain_push), .in_ready(chain_room),
       .in_data({chain_push_end, event_top, up_record, given_record}),
-      .out_valid(chain_valid), .out_ready(chain_ready), .out_data(chain_out));
+      .out_valid(chain_valid), .out_ready(chain_ready), .out_data(chain_out), .*);
   assign {chain_end, chain_hole, chain_head, chain_tail} = chain_out;
 
   wire waits = patient && !walk_idle;
@@ -382,6 +379,7 @@ module contour #(
     endcase
   end
   assign count_handed_on = handed_on;
+  assign count_frame = chain_push && chain_push_end && chain_room;
   assign abandoned = abandoned_chains;
 
   always_ff @(posedge clk) begin
@@ -518,7 +516,7 @@ module contour #(
     walk_idle <= handed_on ? 1'b0 : walking == '0 || (walking == CW'(1) && release_now);
 
     if (goes && event_kind == BEGIN_FRAME && event_ready) in_frame <= 1'b1;
-    else if (chain_push && chain_push_end && chain_room) in_frame <= 1'b0;
+    else if (count_frame) in_frame <= 1'b0;
 
     if (clear || count_abandoned) abandoned_chains <= '0;
     if (clear) begin

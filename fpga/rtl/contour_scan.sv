@@ -53,6 +53,7 @@ module contour_scan #(
     output logic          count_dropped_full,
     output logic          count_dropped_rule,
     output logic          count_dropped_queue,
+    output logic          count_frame,
     output logic          count_abandoned,
     output logic [EW-1:0] abandoned,
     output logic [RW-1:0] record_peak,
@@ -64,33 +65,18 @@ module contour_scan #(
   logic [XW-1:0] found_x;
   logic [YW-1:0] found_y;
   preprocess #(.MAX_WIDTH(MAX_WIDTH), .MAX_HEIGHT(MAX_HEIGHT)) preprocess_i (
-      .clk(clk), .reset(reset), .last_x(last_x), .last_y(last_y), .cases(cases), .eight(eight), .give_up(give_up),
-      .in_valid(in_valid), .in_ready(in_ready), .in_dark(in_dark), .in_sof(in_sof),
       .out_valid(found_valid), .out_ready(found_ready), .out_kind(found_kind), .out_top(found_top),
-      .out_left_above(found_left_above), .out_x(found_x), .out_y(found_y), .lost(lost));
+      .out_left_above(found_left_above), .out_x(found_x), .out_y(found_y), .*);
 
   logic event_valid, event_ready, event_top, event_left_above;
   logic [2:0] event_kind;
   logic [XW-1:0] event_x;
   logic [YW-1:0] event_y;
   stream_fifo #(.WIDTH(WIDTH), .DEPTH(EVENTS)) events (
-      .clk(clk), .clear(reset), .in_valid(found_valid), .in_ready(found_ready),
+      .clear(reset), .in_valid(found_valid), .in_ready(found_ready),
       .in_data({found_kind, found_top, found_left_above, found_x, found_y}),
       .out_valid(event_valid), .out_ready(event_ready),
-      .out_data({event_kind, event_top, event_left_above, event_x, event_y}));
+      .out_data({event_kind, event_top, event_left_above, event_x, event_y}), .*);
 
-  contour #(.RECORDS(RECORDS), .ENDS(MAX_WIDTH), .QUEUE(QUEUE), .XW(XW), .YW(YW), .TW(TW)) contour_i (
-      .clk(clk), .reset(reset), .max_turns(max_turns), .min_height(min_height), .holes(holes), .patient(patient),
-      .event_valid(event_valid), .event_ready(event_ready), .event_kind(event_kind), .event_top(event_top),
-      .event_left_above(event_left_above), .event_x(event_x), .event_y(event_y),
-      .chain_valid(chain_valid), .chain_ready(chain_ready), .chain_head(chain_head), .chain_tail(chain_tail),
-      .chain_hole(chain_hole), .chain_end(chain_end),
-      .walk_read(walk_read), .walk_granted(walk_granted), .walk_record(walk_record),
-      .walk_x(walk_x), .walk_y(walk_y), .walk_next(walk_next),
-      .release_valid(release_valid), .release_ready(release_ready),
-      .release_head(release_head), .release_tail(release_tail),
-      .count_run(count_run), .count_closed(count_closed), .count_handed_on(count_handed_on),
-      .count_dropped_full(count_dropped_full), .count_dropped_rule(count_dropped_rule),
-      .count_dropped_queue(count_dropped_queue), .count_abandoned(count_abandoned), .abandoned(abandoned),
-      .record_peak(record_peak), .end_peak(end_peak));
+  contour #(.RECORDS(RECORDS), .ENDS(MAX_WIDTH), .QUEUE(QUEUE), .XW(XW), .YW(YW), .TW(TW)) contour_i (.*);
 endmodule

@@ -80,6 +80,7 @@ module hardware_cores #(
     output logic            count_dropped_full,
     output logic            count_dropped_rule,
     output logic            count_dropped_queue,
+    output logic            count_frame,
     output logic            count_abandoned,
     output logic [  EW-1:0] abandoned,
     output logic [  RW-1:0] record_peak,
@@ -120,8 +121,8 @@ module hardware_cores #(
       .release_head(release_head), .release_tail(release_tail), .lost(lost),
       .count_run(count_run), .count_closed(count_closed), .count_handed_on(count_handed_on),
       .count_dropped_full(count_dropped_full), .count_dropped_rule(count_dropped_rule),
-      .count_dropped_queue(count_dropped_queue), .count_abandoned(count_abandoned), .abandoned(abandoned),
-      .record_peak(record_peak), .end_peak(end_peak));
+      .count_dropped_queue(count_dropped_queue), .count_frame(count_frame), .count_abandoned(count_abandoned),
+      .abandoned(abandoned), .record_peak(record_peak), .end_peak(end_peak));
 
   localparam QW = 8 * SW + YW + 2;
   logic found_valid, found_ready, found_hole, found_end, quad_valid, quad_ready, quad_hole, quad_end;

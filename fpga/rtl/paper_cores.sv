@@ -73,6 +73,7 @@ module paper_cores #(
     output logic            count_dropped_full,
     output logic            count_dropped_rule,
     output logic            count_dropped_queue,
+    output logic            count_frame,
     output logic            count_abandoned,
     output logic [  EW-1:0] abandoned,
     output logic [  RW-1:0] record_peak,
@@ -80,10 +81,8 @@ module paper_cores #(
 );
   logic pixel_valid, pixel_ready, scan_ready, dark, sof, unused_eol;
   threshold threshold_i (
-      .clk(clk), .reset(reset), .level(level), .above_is_dark(above_is_dark), .rgb(rgb),
-      .in_valid(in_valid), .in_ready(in_ready), .in_data(in_data), .in_sof(in_sof), .in_eol(1'b0),
-      .out_valid(pixel_valid), .out_ready(pixel_ready), .out_dark(dark), .out_grey(grey_level),
-      .out_sof(sof), .out_eol(unused_eol));
+      .in_eol(1'b0), .out_valid(pixel_valid), .out_ready(pixel_ready), .out_dark(dark), .out_grey(grey_level),
+      .out_sof(sof), .out_eol(unused_eol), .*);
   assign pixel_ready = scan_ready && grey_ready;
   assign grey_valid = pixel_valid && scan_ready;
   assign grey_sof = sof;
@@ -95,19 +94,7 @@ module paper_cores #(
   contour_scan #(
       .MAX_WIDTH(MAX_WIDTH), .MAX_HEIGHT(MAX_HEIGHT), .RECORDS(RECORDS), .EVENTS(EVENTS), .QUEUE(QUEUE), .TW(TW)
   ) scan (
-      .clk(clk), .reset(reset), .last_x(last_x), .last_y(last_y), .cases(cases), .eight(eight), .give_up(give_up),
-      .max_turns(max_turns), .min_height(min_height), .holes(holes), .patient(patient),
-      .in_valid(pixel_valid && grey_ready), .in_ready(scan_ready), .in_dark(dark), .in_sof(sof),
-      .chain_valid(chain_valid), .chain_ready(chain_ready), .chain_head(chain_head), .chain_tail(chain_tail),
-      .chain_hole(chain_hole), .chain_end(chain_end),
-      .walk_read(walk_read), .walk_granted(walk_granted), .walk_record(walk_record),
-      .walk_x(walk_x), .walk_y(walk_y), .walk_next(walk_next),
-      .release_valid(release_valid), .release_ready(release_ready),
-      .release_head(release_head), .release_tail(release_tail), .lost(lost),
-      .count_run(count_run), .count_closed(count_closed), .count_handed_on(count_handed_on),
-      .count_dropped_full(count_dropped_full), .count_dropped_rule(count_dropped_rule),
-      .count_dropped_queue(count_dropped_queue), .count_abandoned(count_abandoned), .abandoned(abandoned),
-      .record_peak(record_peak), .end_peak(end_peak));
+      .in_valid(pixel_valid && grey_ready), .in_ready(scan_ready), .in_dark(dark), .in_sof(sof), .*);
 
   localparam QW = 4 * (XW + YW) + YW + 2;
   logic found_valid, found_ready, found_hole, found_end, quad_valid, quad_ready, quad_hole, quad_end;
@@ -115,34 +102,19 @@ module paper_cores #(
   logic [4*YW-1:0] found_y, quad_y;
   logic [YW-1:0] found_bottom, quad_bottom;
   corner #(.XW(XW), .YW(YW), .RW(RW)) corner_i (
-      .clk(clk), .reset(reset), .threshold(corner_offset),
-      .chain_valid(chain_valid), .chain_ready(chain_ready), .chain_head(chain_head), .chain_tail(chain_tail),
-      .chain_hole(chain_hole), .chain_end(chain_end),
-      .walk_read(walk_read), .walk_granted(walk_granted), .walk_record(walk_record),
-      .walk_x(walk_x), .walk_y(walk_y), .walk_next(walk_next),
-      .release_valid(release_valid), .release_ready(release_ready),
-      .release_head(release_head), .release_tail(release_tail),
-      .quad_valid(found_valid), .quad_ready(found_ready), .quad_x(found_x), .quad_y(found_y),
-      .quad_bottom(found_bottom), .quad_hole(found_hole), .quad_end(found_end));
+      .threshold(corner_offset), .quad_valid(found_valid), .quad_ready(found_ready), .quad_x(found_x),
+      .quad_y(found_y), .quad_bottom(found_bottom), .quad_hole(found_hole), .quad_end(found_end), .*);
   assign count_quad = found_valid && found_ready && !found_end;
 
   stream_fifo #(.WIDTH(QW), .DEPTH(QUEUE)) quads (
-      .clk(clk), .clear(reset), .in_valid(found_valid), .in_ready(found_ready),
+      .clear(reset), .in_valid(found_valid), .in_ready(found_ready),
       .in_data({found_end, found_hole, found_bottom, found_y, found_x}),
       .out_valid(quad_valid), .out_ready(quad_ready),
-      .out_data({quad_end, quad_hole, quad_bottom, quad_y, quad_x}));
+      .out_data({quad_end, quad_hole, quad_bottom, quad_y, quad_x}), .*);
 
   pattern #(.XW(XW), .YW(YW), .CODES(CODES)) pattern_i (
-      .clk(clk), .reset(reset), .last_x(last_x), .last_y(last_y), .level(level), .above_is_dark(above_is_dark),
-      .min_area(min_area), .max_area(max_area), .max_errors(max_errors), .codes(codes),
-      .write(code_write), .write_at(code_at), .write_code(code),
-      .quad_valid(quad_valid), .quad_ready(quad_ready), .quad_x(quad_x), .quad_y(quad_y),
-      .quad_bottom(quad_bottom), .quad_hole(quad_hole), .quad_end(quad_end),
-      .read_valid(read_valid), .read_ready(read_ready), .read_x(read_x), .read_y(read_y),
-      .grey_valid(answer_valid), .grey(answer),
-      .marker_valid(marker_valid), .marker_ready(marker_ready), .marker_x(marker_x), .marker_y(marker_y),
-      .marker_bottom(marker_bottom), .marker_hole(marker_hole), .marker_id(marker_id),
-      .marker_rotation(marker_rotation), .marker_errors(marker_errors), .marker_end(marker_end));
+      .filtered(cases != '0), .write(code_write), .write_at(code_at), .write_code(code),
+      .grey_valid(answer_valid), .grey(answer), .*);
 
   wire unused = &{1'b0, unused_eol};
 endmodule

@@ -14,6 +14,7 @@ module pattern #(
     input  logic [  YW-1:0] last_y,
     input  logic [     8:0] level,
     input  logic            above_is_dark,
+    input  logic            filtered,      // contours run a row late
     input  logic [XW+YW+1:0] min_area,      // of the quad, in half pixels
     input  logic [XW+YW+1:0] max_area,
     input  logic [     5:0] max_errors,    // wrong bits
@@ -100,7 +101,7 @@ module pattern #(
   wire outside = cell_x[PW-1] || cell_y[PW-1] || cell_x[PW-2:4] > {{(PW - 5 - XW) {1'b0}}, last_x}
               || cell_y[PW-2:4] > {{(PW - 5 - YW) {1'b0}}, last_y};
   // The square may reach a little below the rows that have come in.
-  wire [YW:0] lowest = {1'b0, marker_bottom} + 1'b1;
+  wire [YW:0] lowest = {1'b0, marker_bottom} + {{YW{1'b0}}, filtered};
   logic reading;
   assign read_valid = reading && !outside;
   assign read_x = cell_x[XW+3:4];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <random>
 
@@ -13,8 +14,10 @@ namespace runmark::rtl {
 template <class Model>
 class Clocked {
  public:
-  Clocked()
+  /// @param traced  the model will be traced: it must have been translated for that
+  explicit Clocked(bool traced = false)
       : context_(std::make_unique<VerilatedContext>()), model_(std::make_unique<Model>(context_.get())) {
+    if (traced) context_->traceEverOn(true);
     context_->randReset(2);
     model_->clk = 0;
     model_->reset = 1;
@@ -22,7 +25,11 @@ class Clocked {
     tick();
     model_->reset = 0;
   }
-  ~Clocked() { model_->final(); }
+  ~Clocked() {
+    // A model's scopes say good-bye to the thread's context, which may be that of another model by now.
+    Verilated::threadContextp(context_.get());
+    model_->final();
+  }
   Clocked(const Clocked&) = delete;
   Clocked& operator=(const Clocked&) = delete;
 
@@ -31,16 +38,21 @@ class Clocked {
   void tick() {
     model_->clk = 1;
     model_->eval();
+    if (at_edge_) at_edge_(2 * cycles_);
     model_->clk = 0;
     model_->eval();
+    if (at_edge_) at_edge_(2 * cycles_ + 1);
     ++cycles_;
   }
+  /// Is told of every edge of the clock and its time, for waves.
+  void at_edge(std::function<void(std::uint64_t)> told) { at_edge_ = std::move(told); }
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
 
  private:
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Model> model_;
   std::uint64_t cycles_ = 0;
+  std::function<void(std::uint64_t)> at_edge_;
 };
 
 /// Sets an input of whatever width.

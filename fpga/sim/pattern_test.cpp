@@ -106,6 +106,7 @@ class Bench {
     Willing moves(percent, seed);
     drive(core_->level, static_cast<unsigned>(settings.threshold.level));
     core_->above_is_dark = settings.threshold.above_is_dark;
+    core_->filtered = 1;
     drive(core_->min_area, settings.min_area);
     drive(core_->max_area, settings.max_area);
     drive(core_->max_errors, static_cast<unsigned>(settings.max_errors));

@@ -36,24 +36,25 @@ Dictionary whole_grid(const Dictionary& dictionary) {
 
 }  // namespace
 
-PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionary>& dictionaries)
+PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionary>& dictionaries,
+                             std::size_t records)
     : options_(options),
       threshold_{options.fixed_threshold, options.above_is_dark},
       grey_(static_cast<std::size_t>(options.max_width)),
-      scan_(options.max_width, contour_rules(options)) {
+      scan_(options.max_width, contour_rules(options, records)) {
   for (const Dictionary& dictionary : dictionaries) {
     const int bits = options.corrected_bits < 0 ? dictionary.corrected_bits : options.corrected_bits;
     templates_.push_back({&dictionary, CodeLookup(whole_grid(dictionary), bits)});
   }
 }
 
-ContourRules PaperPipeline::contour_rules(const Options& options) {
+ContourRules PaperPipeline::contour_rules(const Options& options, std::size_t records) {
   ContourRules rules;
   rules.filter_cases = or_own(options.filter, filter_all);
   rules.connectivity = or_own(options.connectivity, Connectivity::eight);
   rules.chains.holes = options.inverted;
   rules.chains.min_height = static_cast<std::uint16_t>(options.min_marker_size / 2);
-  rules.records = 65535;
+  rules.records = records;
   return rules;
 }
 

@@ -13,14 +13,16 @@ namespace runmark {
 /// 8x8 grid compared with templates in four rotations. Corners are whole cracks.
 class PaperPipeline final : public FramePipeline {
  public:
-  PaperPipeline(const Options& options, const std::vector<Dictionary>& dictionaries);
+  /// @param records  crack runs alive at once, at most 65535; the hardware's are fewer
+  PaperPipeline(const Options& options, const std::vector<Dictionary>& dictionaries,
+                std::size_t records = 65535);
 
   /// The paper's grid has 8x8 cells: dictionaries of 6x6 data cells in a black border, and templates of
   /// 8x8 cells.
   [[nodiscard]] static bool can_read(const Dictionary& dictionary);
 
   /// What the preprocess and contour cores are told.
-  [[nodiscard]] static ContourRules contour_rules(const Options& options);
+  [[nodiscard]] static ContourRules contour_rules(const Options& options, std::size_t records = 65535);
 
   void begin_frame(int width, int height) override;
   void push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) override;
