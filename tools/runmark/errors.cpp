@@ -5,8 +5,8 @@
 
 namespace runmark::cli {
 
-void print_error(std::string_view message) {
-  std::string line = "runmark: ";
+void print_error(std::string_view message, std::string_view program) {
+  std::string line = std::string(program) + ": ";
   for (const char c : message) {
     if (c != '\n') {
       line += c;

@@ -27,8 +27,8 @@ struct ExitStatus {
   int value = 0;
 };
 
-/// Prints one line, `runmark: <message>`, on stderr; line breaks in the message become "; ".
-void print_error(std::string_view message);
+/// Prints one line, `<program>: <message>`, on stderr; line breaks in the message become "; ".
+void print_error(std::string_view message, std::string_view program = "runmark");
 
 /// The result's value, or its error as a UserError that starts with `where` ("frame.png").
 template <class T>
