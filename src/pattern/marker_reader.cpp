@@ -139,7 +139,7 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
 }
 
 bool MarkerReader::look_up(const Reading& reading, const Quad& quad, const Layout& layout,
-                           double most_accepted, Best& best) const {
+                           double most_accepted, Best& best) {
   const bool reversed = layout.border == Border::reversed;
   // The model's 1 is the ring outside: white round a black border, black round a reversed one.
   const std::size_t bits = layout.cells.size();

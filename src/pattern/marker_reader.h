@@ -75,8 +75,8 @@ class MarkerReader {
                       const LightModel& light, const Layout& layout, Best& best) const;
   /// Looks the code up in the dictionaries of that layout; false when none has it, or only dictionaries that
   /// take more than a share of `most_accepted` of random readings for one of their codes.
-  bool look_up(const Reading& reading, const Quad& quad, const Layout& layout, double most_accepted,
-               Best& best) const;
+  static bool look_up(const Reading& reading, const Quad& quad, const Layout& layout, double most_accepted,
+                      Best& best);
 
   std::vector<Layout> layouts_;
   ReaderLimits limits_;
