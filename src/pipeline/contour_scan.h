@@ -11,6 +11,7 @@
 #include "preprocess/border.h"
 #include "preprocess/crack_runs_fast.h"
 #include "preprocess/filter.h"
+#include "runmark/detector.h"
 
 namespace runmark {
 
@@ -70,6 +71,16 @@ class ContourScan {
   }
 
   [[nodiscard]] const ContourLinker& linker() const { return linker_; }
+
+  /// Adds what this frame came to.
+  void add_counts(FrameStats& stats) const {
+    const LinkerCounts& counts = linker_.counts();
+    stats.pixels += static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
+    stats.crack_runs += counts.runs;
+    stats.closed_chains += counts.closed;
+    stats.dropped_chains += counts.dropped_full;
+    stats.records_peak = std::max<std::uint64_t>(stats.records_peak, linker_.pool().peak());
+  }
   [[nodiscard]] std::size_t memory() const {
     return records_.size() * sizeof(Record) + ends_.size() * sizeof(ChainEnd) +
            end_at_.size() * sizeof(EndIndex) + runs_.size() * sizeof(CrackRun) +

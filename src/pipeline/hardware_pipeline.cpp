@@ -38,7 +38,6 @@ IntegerQuadLimits HardwarePipeline::quad_limits(const Options& options) {
 }
 
 void HardwarePipeline::begin_frame(int width, int height) {
-  width_ = width;
   height_ = height;
   tiles_.begin_frame(width, height, options_.min_contrast);
   scan_.begin_frame(width, height);
@@ -89,14 +88,7 @@ void HardwarePipeline::consider(const ClosedChain& chain, const GreyFrame& frame
   if (!found.add(marker)) ++stats.dropped_markers;
 }
 
-void HardwarePipeline::end_frame(FrameStats& stats) {
-  const LinkerCounts& counts = scan_.linker().counts();
-  stats.pixels = static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
-  stats.crack_runs = counts.runs;
-  stats.closed_chains = counts.closed;
-  stats.dropped_chains = counts.dropped_full;
-  stats.records_peak = scan_.linker().pool().peak();
-}
+void HardwarePipeline::end_frame(FrameStats& stats) { scan_.add_counts(stats); }
 
 std::size_t HardwarePipeline::memory() const {
   return sizeof(*this) + tiles_.memory() + grey_.memory() + scan_.memory() + reader_.memory();

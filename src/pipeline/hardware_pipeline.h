@@ -45,7 +45,6 @@ class HardwarePipeline final : public FramePipeline {
   RowStore grey_;  // two bands of tiles
   ContourScan scan_;
   IntegerReader reader_;
-  int width_ = 0;
   int height_ = 0;
 };
 

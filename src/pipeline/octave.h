@@ -44,7 +44,7 @@ class Octave {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  [[nodiscard]] const ContourLinker& linker() const { return scan_.linker(); }
+  void add_counts(FrameStats& stats) const { scan_.add_counts(stats); }
   [[nodiscard]] std::size_t memory() const { return threshold_.memory() + scan_.memory(); }
 
  private:

@@ -67,7 +67,6 @@ bool PaperPipeline::can_read(const Dictionary& dictionary) {
 }
 
 void PaperPipeline::begin_frame(int width, int height) {
-  width_ = width;
   height_ = height;
   scan_.begin_frame(width, height);
 }
@@ -123,14 +122,7 @@ void PaperPipeline::consider(const ClosedChain& chain, const GreyFrame& frame, F
   if (best && !found.add(*best)) ++stats.dropped_markers;
 }
 
-void PaperPipeline::end_frame(FrameStats& stats) {
-  const LinkerCounts& counts = scan_.linker().counts();
-  stats.pixels = static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
-  stats.crack_runs = counts.runs;
-  stats.closed_chains = counts.closed;
-  stats.dropped_chains = counts.dropped_full;
-  stats.records_peak = scan_.linker().pool().peak();
-}
+void PaperPipeline::end_frame(FrameStats& stats) { scan_.add_counts(stats); }
 
 std::size_t PaperPipeline::memory() const {
   std::size_t bytes = sizeof(*this) + grey_.size() + scan_.memory();

@@ -42,7 +42,6 @@ class PaperPipeline final : public FramePipeline {
   std::vector<Templates> templates_;
   std::vector<std::uint8_t> grey_;
   ContourScan scan_;
-  int width_ = 0;
   int height_ = 0;
 };
 

@@ -105,15 +105,7 @@ void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& fra
 }
 
 void StandardPipeline::end_frame(FrameStats& stats) {
-  for (std::size_t level = 0; level < scales_used_; ++level) {
-    const Octave& octave = scales_[level].octave;
-    const LinkerCounts& counts = octave.linker().counts();
-    stats.pixels += static_cast<std::uint64_t>(octave.width()) * static_cast<std::uint64_t>(octave.height());
-    stats.crack_runs += counts.runs;
-    stats.closed_chains += counts.closed;
-    stats.dropped_chains += counts.dropped_full;
-    stats.records_peak = std::max<std::uint64_t>(stats.records_peak, octave.linker().pool().peak());
-  }
+  for (std::size_t level = 0; level < scales_used_; ++level) scales_[level].octave.add_counts(stats);
 }
 
 std::size_t StandardPipeline::memory() const {

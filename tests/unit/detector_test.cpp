@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "support/corners.h"
 #include "support/picture.h"
 
 namespace runmark {
 namespace {
+
+using test::worst_corner;
 
 Dictionary dictionary(const char* name) {
   auto loaded = builtin_dictionary(name);
@@ -25,14 +28,6 @@ Detector make(Options options, std::vector<Dictionary> dictionaries, int width, 
   auto detector = Detector::create(options, std::move(dictionaries));
   EXPECT_TRUE(detector) << detector.error();
   return std::move(*detector);
-}
-
-double worst_corner(const Marker& marker, const std::array<Point, 4>& truth) {
-  double worst = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    worst = std::max(worst, std::hypot(marker.corners[i].x - truth[i].x, marker.corners[i].y - truth[i].y));
-  }
-  return worst;
 }
 
 TEST(Detector, ReadsEveryLayoutInOrderAtAnyAngle) {

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "runmark/detector.h"
+#include "support/corners.h"
 #include "support/picture.h"
 
 namespace runmark {
 namespace {
+
+using test::worst_corner;
 
 Dictionary dictionary(const char* name) {
   auto loaded = builtin_dictionary(name);
@@ -29,14 +32,6 @@ std::vector<Marker> markers_in(const test::Picture& picture, std::vector<Diction
   std::vector<Marker> markers(found.begin(), found.end());
   for (Marker& marker : markers) marker.dictionary = {};  // the detector's memory
   return markers;
-}
-
-double worst_corner(const Marker& marker, const std::array<Point, 4>& truth) {
-  double worst = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    worst = std::max(worst, std::hypot(marker.corners[i].x - truth[i].x, marker.corners[i].y - truth[i].y));
-  }
-  return worst;
 }
 
 /// Puts a marker upright, its black square's top-left pixel at (x, y), white cells round it.

@@ -10,19 +10,15 @@
 #include "corner/quad.h"
 #include "corner/side_fit.h"
 #include "support/chains.h"
+#include "support/corners.h"
 #include "support/picture.h"
 
 namespace runmark {
 namespace {
 
-using Corners = std::array<Point, 4>;
-
-bool inside(const Corners& corners, double x, double y) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (cross(corners[i], corners[(i + 1) % 4], {x, y}) < 0) return false;
-  }
-  return true;
-}
+using test::Corners;
+using test::inside;
+using test::worst_corner;
 
 Corners in_pixels(const IntegerQuad& quad) {
   Corners corners;
@@ -36,16 +32,6 @@ std::vector<IntegerQuad> quads_of(int width, int height, const auto& dark) {
     if (const auto quad = integer_quad(chain, {})) quads.push_back(*quad);
   });
   return quads;
-}
-
-double worst_corner(const Corners& truth, const Corners& found) {
-  double worst = 0;
-  for (const Point& t : truth) {
-    double nearest = 1e9;
-    for (const Point& f : found) nearest = std::min(nearest, std::hypot(f.x - t.x, f.y - t.y));
-    worst = std::max(worst, nearest);
-  }
-  return worst;
 }
 
 TEST(IntegerQuad, SquareAtEveryAngle) {

@@ -7,17 +7,14 @@
 #include <vector>
 
 #include "support/chains.h"
+#include "support/corners.h"
 #include "support/picture.h"
 
 namespace runmark {
 namespace {
 
-bool inside(const std::array<Point, 4>& corners, double x, double y) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (cross(corners[i], corners[(i + 1) % 4], {x, y}) < 0) return false;
-  }
-  return true;
-}
+using test::inside;
+using test::worst_corner;
 
 std::vector<Quad> quads_of(int width, int height, const auto& dark) {
   std::vector<Quad> quads;
@@ -26,16 +23,6 @@ std::vector<Quad> quads_of(int width, int height, const auto& dark) {
     if (const auto quad = quad_from_chain(chain, {}, scratch)) quads.push_back(*quad);
   });
   return quads;
-}
-
-double worst_corner(const std::array<Point, 4>& truth, const std::array<Point, 4>& found) {
-  double worst = 0;
-  for (const Point& t : truth) {
-    double nearest = 1e9;
-    for (const Point& f : found) nearest = std::min(nearest, std::hypot(f.x - t.x, f.y - t.y));
-    worst = std::max(worst, nearest);
-  }
-  return worst;
 }
 
 TEST(QuadFromChain, SquareAtEveryAngle) {
