@@ -2,7 +2,7 @@
 # manual page. The command line is installed by tools/.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS runmark EXPORT runmark_targets
+install(TARGETS runmark runmark_c EXPORT runmark_targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/runmark ${PROJECT_BINARY_DIR}/include/runmark
@@ -24,8 +24,10 @@ set(pc_requires Requires)
 if(BUILD_SHARED_LIBS)
   set(pc_requires Requires.private)
 endif()
-configure_file(${PROJECT_SOURCE_DIR}/cmake/runmark.pc.in ${PROJECT_BINARY_DIR}/runmark.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/runmark.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(pc IN ITEMS runmark.pc runmark_c.pc)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${pc}.in ${PROJECT_BINARY_DIR}/${pc} @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(RUNMARK_TOOLS)

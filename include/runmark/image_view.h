@@ -12,7 +12,8 @@ namespace runmark {
 /// (77 R + 150 G + 29 B + 128) / 256.
 enum class PixelFormat : std::uint8_t { grey, rgb, bgr };
 
-/// A frame in the caller's memory: 8 bits a channel, any row stride, any pixel step. Owns nothing.
+/// A frame in the caller's memory: 8 bits a channel, any row stride, any pixel step, also negative ones and
+/// those of a transposed picture. Owns nothing.
 ///
 /// Pixel convention: the centre of the top-left pixel is (0, 0); x goes right, y goes down.
 struct ImageView {
@@ -20,7 +21,7 @@ struct ImageView {
   int width = 0;                       ///< pixels
   int height = 0;                      ///< pixels
   std::ptrdiff_t stride = 0;           ///< bytes from one row to the next; may be negative
-  int step = 1;                        ///< bytes from one pixel to the next
+  int step = 1;                        ///< bytes from one pixel to the next; may be negative
   PixelFormat format = PixelFormat::grey;
 
   /// One byte a pixel, `step` bytes apart (2 for the luma of YUYV, 1 for a plane).
@@ -47,7 +48,7 @@ struct ImageView {
   }
 
   /// Status::ok, or Status::bad_view when the fields contradict each other: no data, a side outside
-  /// 1 to 65535, a step smaller than a pixel, or a stride smaller than a row.
+  /// 1 to 65535, a step smaller than a pixel, or rows (and columns, if it is transposed) that overlap.
   [[nodiscard]] RUNMARK_EXPORT Status check() const;
 };
 

@@ -9,6 +9,19 @@ kind=$1 source=$2 build=$3 work=$4 sample=$5
 
 fail() { echo "check_install: $*" >&2; exit 1; }
 
+# SONAME, exports and what it needs: LIBRARY SONAME_VERSION LIST_OF_EXPORTS
+check_shared() {
+  local so=$lib/$1.so soname needed
+  soname=$(readelf -d "$so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
+  [[ -e $lib/$soname && $soname =~ ^$1\.so\.$2$ ]] || fail "SONAME is '$soname'"
+  nm -D --defined-only "$so" | c++filt | sed 's/^[0-9a-f]* [A-Z] //; s/std::__cxx11::/std::/g' | LC_ALL=C sort -u \
+    >"$work/$3"
+  diff -u "$source/tests/install/$3" "$work/$3" ||
+    fail "the exports differ from tests/install/$3; if that is meant, copy $work/$3 there"
+  needed=$(readelf -d "$so" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -vE '^(librunmark|libstdc\+\+|libhwy|libm|libgcc_s|libc|ld-linux.*)\.so' || true)
+  [[ -z $needed ]] || fail "$1 needs $needed"
+}
+
 prefix=$work/prefix
 rm -rf "$prefix" "$work/consumer" "$work/examples"
 mkdir -p "$work/consumer"
@@ -25,15 +38,10 @@ cmake --install "$build" --prefix "$prefix" >/dev/null
 lib=$(dirname "$(find "$prefix" -name pkgconfig -type d)")
 
 if [[ $kind == shared ]]; then
-  so=$lib/librunmark.so
-  soname=$(readelf -d "$so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
-  [[ -e $lib/$soname && $soname =~ ^librunmark\.so\.[0-9]+\.[0-9]+$ ]] || fail "SONAME is '$soname'"
-  nm -D --defined-only "$so" | c++filt | sed 's/^[0-9a-f]* [A-Z] //; s/std::__cxx11::/std::/g' | LC_ALL=C sort -u \
-    >"$work/exported.txt"
-  diff -u "$source/tests/install/exported_symbols.txt" "$work/exported.txt" ||
-    fail "the exports differ from tests/install/exported_symbols.txt; if that is meant, copy $work/exported.txt there"
-  needed=$(readelf -d "$so" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | grep -vE '^(libstdc\+\+|libhwy|libm|libgcc_s|libc|ld-linux.*)\.so' || true)
-  [[ -z $needed ]] || fail "the library needs $needed"
+  check_shared librunmark '[0-9]+\.[0-9]+' exported_symbols.txt
+  check_shared librunmark_c '[0-9]+' exported_c_symbols.txt
+  abi_version=$(sed -n 's/^#define RUNMARK_ABI_VERSION //p' "$prefix/include/runmark/runmark.h")
+  [[ -e $lib/librunmark_c.so.$abi_version ]] || fail "the SONAME of librunmark_c is not of ABI version $abi_version"
 else
   [[ -f $lib/librunmark.a ]] || fail "no librunmark.a in $lib"
   version=$("$prefix/bin/runmark" --version)
@@ -41,7 +49,7 @@ else
 fi
 
 # A copy elsewhere: nothing of the source tree is in reach.
-cp "$source"/examples/{CMakeLists.txt,*.cpp,*.h} "$work/consumer"
+cp "$source"/examples/{CMakeLists.txt,*.c,*.cpp,*.h} "$work/consumer"
 cmake -S "$work/consumer" -B "$work/examples" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build "$work/examples" >/dev/null
@@ -52,8 +60,15 @@ PKG_CONFIG_PATH=$lib/pkgconfig pkg-config --print-errors --exists "runmark >= 0.
 "${CXX:-g++}" -std=c++20 "$work/consumer/detect.cpp" -o "$work/detect_by_pkg_config" \
   $(PKG_CONFIG_PATH=$lib/pkgconfig pkg-config --cflags --libs runmark)
 
+# A C compiler alone: whoever links the static libraries asks pkg-config for what they need.
+static=()
+if [[ $kind == static ]]; then static=(--static); fi
+# shellcheck disable=SC2046
+"${CC:-gcc}" -std=c99 -Wall -Wextra -pedantic -Werror "$work/consumer/detect.c" -o "$work/detect_in_c" \
+  $(PKG_CONFIG_PATH=$lib/pkgconfig pkg-config --cflags --libs "${static[@]}" runmark_c)
+
 export LD_LIBRARY_PATH=$lib
-for program in "$work/examples/example_detect" "$work/detect_by_pkg_config" "$work/examples/example_stream_rows"; do
+for program in "$work"/examples/example_{detect,detect_c,stream_rows} "$work"/detect_{by_pkg_config,in_c}; do
   found=$("$program" "$sample" | cut -d: -f1 | tr '\n' ',')
   [[ $found == "tag36h11 7,tag36h11 42," ]] || fail "$program found '$found'"
 done

@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
-# The C++ of README.md is that of examples/detect.cpp, and what a page of ours links to is there.
+# The programs in README.md are those of examples/, and what a page of ours links to is there.
 set -euo pipefail
 cd "$1"
-diff -u <(sed -n '/^```cpp$/,/^```$/p' README.md | sed '1d;$d') \
-        <(sed -n '/\[readme\]/,/\[readme\]/p' examples/detect.cpp | sed '1d;$d')
+check_snippet() { # LANGUAGE FILE: the README's block of the language is what stands between the file's marks
+  diff -u <(sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" README.md | sed '1d;$d') \
+          <(sed -n '/\[readme\]/,/\[readme\]/p' "$2" | sed '1d;$d')
+}
+check_snippet cpp examples/detect.cpp
+check_snippet c examples/detect.c
 status=0
 for page in *.md docs/*.md; do
   while read -r link; do

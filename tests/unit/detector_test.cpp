@@ -305,6 +305,17 @@ TEST(Detector, EveryPixelFormatAndRegion) {
   expect_same(detector.detect(ImageView::rgb(bytes.data(), 300, 240, 1200, 4)).markers, expected);
   expect_same(detector.detect(ImageView::bgr(bytes.data(), 300, 240, 1200, 4)).markers, expected);
 
+  // Stored mirrored, and stored by columns.
+  std::vector<std::uint8_t> other(300 * 240);
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 300; ++x) other[static_cast<std::size_t>(y * 300 + 299 - x)] = picture.at(x, y);
+  }
+  expect_same(detector.detect(ImageView::grey(other.data() + 299, 300, 240, 300, -1)).markers, expected);
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 300; ++x) other[static_cast<std::size_t>(x * 240 + y)] = picture.at(x, y);
+  }
+  expect_same(detector.detect(ImageView::grey(other.data(), 300, 240, 1, 240)).markers, expected);
+
   Detector inside = make({.region = {120, 10, 180, 120}}, {d}, 300, 240);
   const Detection found = inside.detect(picture.view());
   ASSERT_EQ(found.markers.size(), 1U);

@@ -14,6 +14,9 @@ TEST(ImageView, AcceptsWhatFits) {
   EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6).check(), Status::ok);
   EXPECT_EQ(ImageView::grey(pixels.data() + 56, 8, 8, -8).check(), Status::ok) << "bottom-up";
   EXPECT_EQ(ImageView::grey(pixels.data(), 1, 1, 0).check(), Status::ok);
+  EXPECT_EQ(ImageView::grey(pixels.data() + 7, 8, 8, 8, -1).check(), Status::ok) << "mirrored";
+  EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 1, 8).check(), Status::ok) << "transposed";
+  EXPECT_EQ(ImageView::rgb(pixels.data(), 3, 4, 3, 12).check(), Status::ok) << "transposed";
 }
 
 TEST(ImageView, RefusesWhatContradictsItself) {
@@ -22,6 +25,9 @@ TEST(ImageView, RefusesWhatContradictsItself) {
   EXPECT_EQ(ImageView::grey(pixels.data(), 65536, 1, 65536).check(), Status::bad_view);
   EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 7).check(), Status::bad_view);
   EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6, 2).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6, -2).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 1, 7).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 0).check(), Status::bad_view);
 }
 
 }  // namespace
