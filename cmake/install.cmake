@@ -2,7 +2,13 @@
 # manual page. The command line is installed by tools/.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS runmark runmark_c EXPORT runmark_targets
+# Parts with needs of their own: find_package(runmark COMPONENTS measure), pkg-config runmark_measure.
+set(parts)
+if(RUNMARK_MEASURE)
+  list(APPEND parts measure)
+endif()
+list(TRANSFORM parts PREPEND runmark_ OUTPUT_VARIABLE part_targets)
+install(TARGETS runmark runmark_c ${part_targets} EXPORT runmark_targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/runmark ${PROJECT_BINARY_DIR}/include/runmark
@@ -27,6 +33,14 @@ endif()
 foreach(pc IN ITEMS runmark.pc runmark_c.pc)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${pc}.in ${PROJECT_BINARY_DIR}/${pc} @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${pc} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+set(measure_description "Poses, boards and calibration from square fiducial markers")
+set(measure_requires opencv4)
+foreach(part IN LISTS parts)
+  set(part_description "${${part}_description}")
+  set(part_requires ${${part}_requires})
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/runmark_part.pc.in ${PROJECT_BINARY_DIR}/runmark_${part}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/runmark_${part}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
