@@ -5,13 +5,10 @@ import io
 import json
 import os
 import pathlib
-import signal
-import subprocess
-import time
 import unittest
 
 import scene
-from command import FFMPEG, PROGRAM, CommandTest, needs_ffmpeg
+from command import CommandTest, needs_ffmpeg
 
 
 def two_markers():
@@ -152,62 +149,6 @@ class Annotations(CommandTest):
                 self.annotated(video, "--annotate", self.path(name))
                 path = self.path("folder/v.mp4" if name == "folder" else name)
                 self.assertEqual(len(self.detect(path)), 10)
-
-
-class Endings(CommandTest):
-    def setUp(self):
-        super().setUp()
-        self.file = self.path("a.pgm")
-        scene.write_pgm(self.file, scene.one_marker())
-
-    def test_full_disk(self):
-        for arguments in ((), ("-o", "/dev/full")):
-            with self.subTest(arguments), open("/dev/full", "wb") as full:
-                result = subprocess.run([PROGRAM, "detect", self.file, *arguments], stdout=full, stderr=subprocess.PIPE,
-                                        timeout=60)
-                self.expect_error(result, "No space left on device")
-
-    def test_full_disk_under_an_annotation(self):
-        os.symlink("/dev/full", self.path("full.png"))
-        self.expect_error(self.run_program("detect", self.file, "--annotate", self.path("full.png")), "full.png",
-                          "No space left on device")
-
-    def test_reader_that_goes_away(self):
-        with subprocess.Popen([PROGRAM, "detect", "-f", "jsonl", *[self.file] * 200], stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE) as program:
-            self.assertTrue(program.stdout.readline().startswith(b"{"))
-            program.stdout.close()
-            self.assertEqual(program.stderr.read(), b"")
-            self.assertEqual(program.wait(timeout=60), 0)
-
-    def test_lines_come_while_the_stream_goes_on(self):
-        with subprocess.Popen([PROGRAM, "detect", "-f", "jsonl", "-"], stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE) as program:
-            page = scene.one_marker()
-            program.stdin.write(scene.y4m_header(page, "mono"))
-            for index in range(3):
-                program.stdin.write(scene.y4m_frame(page, "mono"))
-                program.stdin.flush()
-                self.assertEqual(json.loads(program.stdout.readline())["frame"], index)
-            program.stdin.close()
-            self.assertEqual(program.wait(timeout=60), 0)
-
-    def test_interrupt_ends_with_whole_lines_and_a_whole_video(self):
-        annotated = ("--annotate", self.path("out.avi")) if FFMPEG else ()
-        with subprocess.Popen([PROGRAM, "detect", "-f", "jsonl", "-", *annotated], stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
-            page = scene.one_marker()
-            program.stdin.write(scene.y4m_header(page, "mono"))
-            program.stdin.write(scene.y4m_frame(page, "mono") * 3)
-            program.stdin.flush()
-            lines = [program.stdout.readline() for _ in range(3)]
-            time.sleep(0.2)  # now it waits for the fourth frame
-            program.send_signal(signal.SIGINT)
-            self.assertEqual(program.wait(timeout=60), 130)
-            self.assertEqual((program.stdout.read(), program.stderr.read()), (b"", b""))
-        self.assertEqual([json.loads(line)["frame"] for line in lines], [0, 1, 2])
-        if annotated:
-            self.assertEqual(len(self.detect(self.path("out.avi"))), 3)
 
 
 if __name__ == "__main__":

@@ -35,8 +35,9 @@ std::span<const std::uint8_t> ByteStream::peek(std::size_t count) {
     begin_ = 0;
   }
   constexpr std::size_t least = std::size_t{1} << 16U;
-  if (buffer_.size() < begin_ + count) buffer_.resize(std::max(least, 2 * (begin_ + count)));
   while (end_ - begin_ < count) {
+    // Grows with what has come, not with what a header promises.
+    if (end_ == buffer_.size()) buffer_.resize(std::max(least, 2 * buffer_.size()));
     if (!wait_for_input(file_)) break;
     const ssize_t got = ::read(file_, buffer_.data() + end_, buffer_.size() - end_);
     if (got > 0) {

@@ -15,10 +15,22 @@ void add_detect_command(CLI::App& app) {
   const auto settings = std::make_shared<DetectSettings>();
   command->add_option("INPUT", settings->inputs, input_help)->required()->type_name("");
   add_detector_options(*command, settings->detector);
-  command->add_option("-f,--format", settings->format, "How markers are printed (text)")
-      ->check(CLI::IsMember({"text", "jsonl", "csv"}).description(""))
-      ->type_name("text|jsonl|csv");
-  command->add_option("-o,--output", settings->output, "Print into this file instead of standard output")
+  CLI::Option* format =
+      command->add_option("-f,--format", settings->format, "How markers are printed (text)");
+  format->check(CLI::IsMember({"text", "jsonl", "csv"}).description(""))->type_name("text|jsonl|csv");
+  CLI::Option* output =
+      command->add_option("-o,--output", settings->output, "Print into this file instead of standard output")
+          ->type_name("FILE");
+  command
+      ->add_option_function<std::string>(
+          "--resume",
+          [settings](const std::string& path) {
+            settings->output = path;
+            settings->resume = true;
+          },
+          "Print JSON lines into this file, after those that a run of the same inputs left in it when it "
+          "was stopped; what is done is not done again")
+      ->excludes(output)
       ->type_name("FILE");
   command
       ->add_option("--annotate", settings->annotate,
@@ -37,7 +49,9 @@ void add_detect_command(CLI::App& app) {
       "Pixels are taken as stored: an EXIF or video rotation is not applied. The centre of the top-left\n"
       "pixel is (0, 0); corners run from the marker's top-left clockwise.\n"
       "Exit status: 0, also when nothing was found; 2 when something went wrong; 130 after Ctrl-C.");
-  command->callback([settings] {
+  command->callback([settings, format] {
+    if (settings->resume && format->count() == 0) settings->format = "jsonl";
+    if (settings->resume && settings->format != "jsonl") throw UserError("--resume goes with jsonl only");
     if (settings->stats && settings->format == "csv") throw UserError("--stats has no place in csv");
     catch_interrupts();
     DetectRun(*settings).run();

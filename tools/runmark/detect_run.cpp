@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "errors.h"
 #include "frame_source.h"
@@ -27,16 +28,45 @@ std::vector<FittingDetector> make_detectors(std::size_t count, const DetectorSet
   return detectors;
 }
 
+/// The output may be none of the inputs, as in `-o a.png`.
+OutputFile open_output(const DetectSettings& settings, const std::vector<Input>& inputs, std::uint64_t kept) {
+  for (const Input& input : inputs) {
+    std::error_code error;
+    if (std::filesystem::equivalent(settings.output, input.name, error) &&
+        std::filesystem::is_regular_file(input.name)) {
+      throw UserError(settings.output + ": the output would replace an input");
+    }
+  }
+  if (settings.resume) return OutputFile(settings.output, kept);
+  return OutputFile(settings.output);
+}
+
+/// Goes on to the first frame that an earlier run has not given out.
+void pass_over(FrameSource& source, const Input& input, std::int64_t frames) {
+  for (std::int64_t i = 0; i < frames && !interrupted(); ++i) {
+    if (!source.next() && !interrupted()) {
+      throw InputError(input.name + ": ends after " + std::to_string(i) + " frames; an earlier run found " +
+                       std::to_string(frames));
+    }
+  }
+}
+
 }  // namespace
 
 DetectRun::DetectRun(const DetectSettings& settings)
     : settings_(settings),
       inputs_(find_inputs(settings.inputs)),
+      earlier_(settings.resume ? read_earlier_run(settings.output, inputs_)
+                               : EarlierRun{0, std::vector<EarlierFrames>(inputs_.size())}),
       detectors_(make_detectors(workers_for(inputs_, settings.jobs), settings.detector)),
       format_(make_marker_format(settings.format)),
-      output_(settings.output),
+      output_(open_output(settings, inputs_, earlier_.bytes)),
       broken_(inputs_.size()) {
-  if (!settings.annotate.empty()) annotations_.emplace(settings.annotate, inputs_);
+  if (settings.annotate.empty()) return;
+  if (settings.resume && std::ranges::any_of(inputs_, &Input::moving)) {
+    throw UserError("--resume: a video cannot be annotated by two runs");
+  }
+  annotations_.emplace(settings.annotate, inputs_);
 }
 
 void DetectRun::run() {
@@ -75,6 +105,7 @@ void DetectRun::read_all(const Push& push) {
       step.input = i;
       step.rate = default_rate;
       step.last = true;
+      step.earlier = earlier_.inputs[i].count > 0;
       if (!push(std::move(step))) return;
     }
   }
@@ -83,14 +114,18 @@ void DetectRun::read_all(const Push& push) {
 void DetectRun::read_frames(std::size_t input, const Push& push) {
   Step step;
   step.input = input;
+  const EarlierFrames& earlier = earlier_.inputs[input];
+  bool complete = false;
   std::unique_ptr<FrameSource> source;
   while (!step.last) {
     try {
       if (!source) {
         source = open_source(inputs_[input]);
         step.rate = source->frame_rate().value_or(default_rate);
+        complete = earlier.ended && source->complete_after(earlier.count);
+        if (!complete) pass_over(*source, inputs_[input], earlier.count);
       }
-      if (!interrupted() && !unwanted(input)) step.frame = source->next();
+      if (!complete && !interrupted() && !unwanted(input)) step.frame = source->next();
       step.count = source->frame_count();
     } catch (...) {
       // A frame that Ctrl-C cut short is no fault of the input's.
@@ -106,7 +141,7 @@ void DetectRun::read_frames(std::size_t input, const Push& push) {
 }
 
 void DetectRun::work(FittingDetector& detector, Step& step) const {
-  if (step.error) return;
+  if (step.error || step.earlier) return;
   try {
     if (!inputs_[step.input].moving()) step.frame = open_source(inputs_[step.input])->next();
     if (step.frame) detect(detector, step);
@@ -146,8 +181,9 @@ void DetectRun::put(Step& step) {
 
 void DetectRun::put_frame(const Step& step) {
   if (output_.is_terminal()) progress_.clear();
-  output_.write(step.lines);
+  // The picture first: a frame whose line is there counts as done.
   if (annotations_) annotations_->write(*step.frame, step.markers);
+  output_.write(step.lines);
   show_progress(step);
 }
 

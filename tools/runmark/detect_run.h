@@ -10,6 +10,7 @@
 
 #include "annotation_output.h"
 #include "detector_settings.h"
+#include "earlier_run.h"
 #include "fitting_detector.h"
 #include "frame.h"
 #include "input.h"
@@ -24,6 +25,7 @@ struct DetectSettings {
   DetectorSettings detector;
   std::string format = "text";
   std::string output;
+  bool resume = false;  ///< go on with what an earlier run wrote to `output`
   std::string annotate;
   bool stats = false;
   bool strict = false;
@@ -44,6 +46,7 @@ class DetectRun {
     std::size_t input = 0;
     std::optional<double> rate;         ///< the input begins with this step: frames a second
     bool last = false;                  ///< and ends with it
+    bool earlier = false;               ///< an image whose line an earlier run has written
     std::optional<Frame> frame;         ///< of an image, read only by the worker
     std::optional<std::int64_t> count;  ///< frames of the input, where known
     std::exception_ptr error;           ///< what came instead of the frame
@@ -64,6 +67,7 @@ class DetectRun {
 
   const DetectSettings& settings_;
   std::vector<Input> inputs_;
+  EarlierRun earlier_;
   std::vector<FittingDetector> detectors_;  // a worker each
   std::unique_ptr<MarkerFormat> format_;
   OutputFile output_;

@@ -24,6 +24,9 @@ class FrameSource {
   /// How many frames there will be, roughly, where that can be known.
   [[nodiscard]] virtual std::optional<std::int64_t> frame_count() const { return {}; }
 
+  /// Whether the source itself states that it has no more than these frames.
+  [[nodiscard]] virtual bool complete_after(std::int64_t /*frames*/) const { return false; }
+
   /// Frames a second, where the source states it.
   [[nodiscard]] virtual std::optional<double> frame_rate() const { return {}; }
 };

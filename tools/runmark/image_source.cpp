@@ -1,9 +1,9 @@
 #include "image_source.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -15,13 +15,18 @@
 namespace runmark::cli {
 namespace {
 
+constexpr std::streamoff largest_file = std::streamoff{1} << 30U;
+
 std::vector<std::uint8_t> read_file(const std::string& path) {
   errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> bytes;
-  if (file) bytes.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file || file.bad()) throw InputError(path + ": " + std::strerror(errno != 0 ? errno : EIO));
-  return {bytes.begin(), bytes.end()};
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file ? std::streamoff{file.tellg()} : -1;
+  if (size > largest_file) throw InputError(path + ": larger than a gigabyte, too large for an image");
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
+  file.seekg(0);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file) throw InputError(path + ": " + std::strerror(errno != 0 ? errno : EIO));
+  return bytes;
 }
 
 cv::Mat to_eight_bits(const cv::Mat& image, const std::string& where) {
@@ -54,6 +59,20 @@ cv::Mat over_white(const cv::Mat& image) {
   return result;
 }
 
+cv::Mat to_grey_or_bgr(const cv::Mat& image, const std::string& where) {
+  if (image.empty()) throw InputError(where + ": not an image that can be read, or a damaged one");
+  switch (image.channels()) {
+    case 1:
+    case 3:
+      return to_eight_bits(image, where);
+    case 4:
+      return over_white(to_eight_bits(image, where));
+    default:
+      throw InputError(where + ": images with " + std::to_string(image.channels()) +
+                       " channels cannot be read");
+  }
+}
+
 }  // namespace
 
 cv::Mat decode_image(std::span<const std::uint8_t> bytes, const std::string& where) {
@@ -63,24 +82,11 @@ cv::Mat decode_image(std::span<const std::uint8_t> bytes, const std::string& whe
   if (jpeg && JpegEnd().find(bytes) == 0)
     throw InputError(where + ": the picture breaks off (no end of JPEG data)");
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
-  cv::Mat image;
   try {
     const QuietStderr quiet;
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    return to_grey_or_bgr(cv::imdecode(buffer, cv::IMREAD_UNCHANGED), where);
   } catch (const cv::Exception& error) {
     throw InputError(where + ": cannot be decoded: " + error.err);
-  }
-  if (image.empty()) throw InputError(where + ": not an image that can be read, or a damaged one");
-  image = to_eight_bits(image, where);
-  switch (image.channels()) {
-    case 1:
-    case 3:
-      return image;
-    case 4:
-      return over_white(image);
-    default:
-      throw InputError(where + ": images with " + std::to_string(image.channels()) +
-                       " channels cannot be read");
   }
 }
 

@@ -57,7 +57,8 @@ void add_folder(const std::string& folder, std::vector<Input>& inputs) {
     const bool wanted = is_image_name(path) || is_video_name(path) || is_stream_name(path);
     // A file whose type cannot be asked for (a dangling link) is kept: its reader says what is wrong.
     std::error_code ignored;
-    if (wanted && !it->is_directory(ignored)) files.push_back(path);
+    const fs::file_type type = it->status(ignored).type();
+    if (wanted && (type == fs::file_type::regular || type == fs::file_type::not_found)) files.push_back(path);
   }
   if (error) throw UserError(folder + ": " + error.message());
   if (files.empty()) throw UserError(folder + ": no images or videos in this folder");
@@ -100,6 +101,8 @@ std::vector<Input> find_inputs(const std::vector<std::string>& arguments) {
       add_folder(argument, inputs);
     } else if (::access(argument.c_str(), R_OK) != 0) {
       throw UserError(argument + ": " + std::strerror(errno));
+    } else if (!fs::is_regular_file(argument, error)) {
+      inputs.push_back({InputKind::stream, argument});  // a named pipe: can be read only once, and forwards
     } else {
       inputs.push_back({kind_of_file(argument), argument});
     }

@@ -2,7 +2,7 @@
 
 namespace runmark::cli {
 
-/// From now on Ctrl-C (and SIGTERM) only sets a flag, so that the work in hand is finished and files
+/// From now on Ctrl-C (and SIGTERM, SIGHUP) only sets a flag, so that the work in hand is finished and files
 /// are closed; a second one ends the program at once.
 void catch_interrupts();
 

@@ -69,6 +69,7 @@ class OrderedWorkers {
       sigemptyset(&signals);
       sigaddset(&signals, SIGINT);
       sigaddset(&signals, SIGTERM);
+      sigaddset(&signals, SIGHUP);
       pthread_sigmask(SIG_BLOCK, &signals, &before_);
     }
     ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }

@@ -31,6 +31,12 @@ std::optional<std::int64_t> VideoSource::frame_count() const {
   return std::llround(count);
 }
 
+bool VideoSource::complete_after(std::int64_t frames) const {
+  // Some containers only estimate the count from the running time: allow for that.
+  const auto stated = frame_count();
+  return stated && *stated - frames <= 2 + *stated / 50;
+}
+
 std::optional<double> VideoSource::frame_rate() const { return stated_rate(capture_); }
 
 std::optional<Frame> VideoSource::next() {
@@ -40,11 +46,9 @@ std::optional<Frame> VideoSource::next() {
     return frame;
   }
   if (index_ == 0) throw InputError(path_ + ": no frame of this video can be decoded");
-  // Some containers only estimate the count from the running time: allow for that.
-  const std::int64_t stated = frame_count().value_or(0);
-  if (stated - index_ > 2 + stated / 50) {
+  if (const auto stated = frame_count(); stated && !complete_after(index_)) {
     throw InputError(path_ + ": the video breaks off after " + std::to_string(index_) + " of " +
-                     std::to_string(stated) + " frames");
+                     std::to_string(*stated) + " frames");
   }
   return {};
 }

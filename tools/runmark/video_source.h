@@ -13,6 +13,7 @@ class VideoSource : public FrameSource {
   explicit VideoSource(std::string path);
   [[nodiscard]] std::optional<Frame> next() override;
   [[nodiscard]] std::optional<std::int64_t> frame_count() const override;
+  [[nodiscard]] bool complete_after(std::int64_t frames) const override;
   [[nodiscard]] std::optional<double> frame_rate() const override;
 
  private:
