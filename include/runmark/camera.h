@@ -6,15 +6,9 @@
 
 #include "runmark/export.h"
 #include "runmark/marker.h"
+#include "runmark/point3.h"
 
 namespace runmark {
-
-/// A place in space; in a camera's frame x goes right, y down and z forwards.
-struct Point3 {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
 
 /// How a lens bends the picture, as OpenCV and ROS have it.
 enum class Lens : std::uint8_t {

@@ -17,6 +17,7 @@ using CornerCovariance = std::array<double, 64>;
 
 /// The same from the picture the marker was found in: how noisy it is and how steep and high the marker's
 /// edges are. The picture must be the one the corners refer to.
-[[nodiscard]] RUNMARK_EXPORT CornerCovariance corner_covariance(const Marker& marker, const ImageView& picture);
+[[nodiscard]] RUNMARK_EXPORT CornerCovariance corner_covariance(const Marker& marker,
+                                                                const ImageView& picture);
 
 }  // namespace runmark

@@ -14,12 +14,12 @@ namespace runmark {
 /// Where an object stands: takes points of the object's frame to the camera's.
 ///
 /// A marker's frame has its origin in the centre of the black square (AprilTag 3's reversed families: of the
-/// detected square), x along the upper side to the right, y down, z into the sheet: a marker that faces the camera upright
-/// has the identity as rotation. AprilTag 3's poses and the boards of OpenCV since 4.6 are alike; OpenCV's
-/// SOLVEPNP_IPPE_SQUARE has y and z the other way round.
+/// detected square), x along the upper side to the right, y down, z into the sheet: a marker that faces the
+/// camera upright has the identity as rotation. AprilTag 3's poses and the boards of OpenCV since 4.6 are
+/// alike; OpenCV's SOLVEPNP_IPPE_SQUARE has y and z the other way round.
 struct Pose {
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row-major
-  Point3 translation;                                         ///< of the object's origin, in the unit of its size
+  Point3 translation;  ///< of the object's origin, in the unit of its size
 
   /// A point of the object's frame in the camera's.
   [[nodiscard]] RUNMARK_EXPORT Point3 operator()(const Point3& point) const;
@@ -63,10 +63,11 @@ struct PoseEstimate {
 
 /// The pose of a marker whose side is `size` long (any unit; translations come in it). Errors: a size or a
 /// camera that makes no sense, corners that no marker before the camera has.
-[[nodiscard]] RUNMARK_EXPORT Result<PoseEstimate> pose(const Marker& marker, double size, const Camera& camera,
-                                                       const CornerCovariance& corners);
+[[nodiscard]] RUNMARK_EXPORT Result<PoseEstimate> pose(const Marker& marker, double size,
+                                                       const Camera& camera, const CornerCovariance& corners);
 
 /// The same with what a marker alone says of its corners' uncertainty.
-[[nodiscard]] RUNMARK_EXPORT Result<PoseEstimate> pose(const Marker& marker, double size, const Camera& camera);
+[[nodiscard]] RUNMARK_EXPORT Result<PoseEstimate> pose(const Marker& marker, double size,
+                                                       const Camera& camera);
 
 }  // namespace runmark

@@ -62,8 +62,8 @@ std::optional<Point> Camera::direction(Point pixel) const {
 
 bool Camera::is_valid() const {
   const auto finite = [](double v) { return std::isfinite(v); };
-  return width >= 0 && height >= 0 && finite(fx) && finite(fy) && finite(cx) && finite(cy) && fx > 0 && fy > 0 &&
-         std::all_of(distortion.begin(), distortion.end(), finite);
+  return width >= 0 && height >= 0 && finite(fx) && finite(fy) && finite(cx) && finite(cy) && fx > 0 &&
+         fy > 0 && std::all_of(distortion.begin(), distortion.end(), finite);
 }
 
 }  // namespace runmark

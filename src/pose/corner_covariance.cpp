@@ -19,9 +19,10 @@ double length_of(const Marker& marker, std::size_t side) {
 
 }  // namespace
 
-// The numbers of both functions were fitted to some 5,000 rendered markers of 12 to 260 pixels with all sorts of blur,
-// noise, tilt and compression, by their likelihood, and then scaled so that nineteen of twenty lie within the ellipsoid
-// that belongs to 95 %. corner_covariance_test.cpp and docs/pose.md hold them to that with other markers.
+// The numbers of both functions were fitted to some 5,000 rendered markers of 12 to 260 pixels with all sorts
+// of blur, noise, tilt and compression, by their likelihood, and then scaled so that nineteen of twenty lie
+// within the ellipsoid that belongs to 95 %. corner_covariance_test.cpp and docs/pose.md hold them to that
+// with other markers.
 
 CornerCovariance corner_covariance(const Marker& marker) {
   const double area = std::max(area_of(marker.corners), 1.0);

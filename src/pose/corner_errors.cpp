@@ -23,8 +23,8 @@ Vector move_of(Vector a, Vector b) {
 }  // namespace
 
 CornerCovariance covariance_of(const std::array<Point, 4>& corners, const CornerErrors& errors) {
-  // A line through evenly spread points of which the outermost 6 % at either end are left out: its variance at
-  // its ends, and the covariance of the two, in units of that at its middle.
+  // A line through evenly spread points of which the outermost 6 % at either end are left out: its variance
+  // at its ends, and the covariance of the two, in units of that at its middle.
   constexpr double used = 0.88;
   constexpr double at_end = 1 + 3 / (used * used);
   constexpr double floor = 0.002;  // pixels

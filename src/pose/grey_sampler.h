@@ -13,6 +13,9 @@ class GreySampler {
  public:
   explicit GreySampler(const ImageView& picture) : picture_(picture) {}
 
+  [[nodiscard]] int width() const { return picture_.width; }
+  [[nodiscard]] int height() const { return picture_.height; }
+
   [[nodiscard]] int at(int x, int y) const {
     x = std::clamp(x, 0, picture_.width - 1);
     y = std::clamp(y, 0, picture_.height - 1);

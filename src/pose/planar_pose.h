@@ -12,6 +12,7 @@ namespace runmark {
 [[nodiscard]] std::array<Point3, 4> marker_corners(double size);
 
 /// Both poses of points in one plane, refined. `what` begins the error's text.
-[[nodiscard]] Result<PoseEstimate> planar_pose(const Observation& seen, const Camera& camera, const std::string& what);
+[[nodiscard]] Result<PoseEstimate> planar_pose(const Observation& seen, const Camera& camera,
+                                               const std::string& what);
 
 }  // namespace runmark

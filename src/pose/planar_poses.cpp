@@ -11,7 +11,8 @@ std::vector<Pose> planar_poses(const std::vector<Point3>& object, const std::vec
   for (const Point& p : directions) pictures.emplace_back(p.x, p.y);
   std::vector<cv::Mat> turns;
   std::vector<cv::Mat> places;
-  cv::solvePnPGeneric(points, pictures, cv::Matx33d::eye(), cv::noArray(), turns, places, false, cv::SOLVEPNP_IPPE);
+  cv::solvePnPGeneric(points, pictures, cv::Matx33d::eye(), cv::noArray(), turns, places, false,
+                      cv::SOLVEPNP_IPPE);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const auto* r = turns[i].ptr<double>();

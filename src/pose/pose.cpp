@@ -33,8 +33,10 @@ std::array<Point3, 4> marker_corners(double size) {
   return {Point3{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}};
 }
 
-Result<PoseEstimate> pose(const Marker& marker, double size, const Camera& camera, const CornerCovariance& corners) {
-  if (!(size > 0) || !std::isfinite(size)) return Error{"the size of " + name_of(marker) + " is not positive"};
+Result<PoseEstimate> pose(const Marker& marker, double size, const Camera& camera,
+                          const CornerCovariance& corners) {
+  if (!(size > 0) || !std::isfinite(size))
+    return Error{"the size of " + name_of(marker) + " is not positive"};
   if (!camera.is_valid()) return Error{"the camera's numbers make no sense"};
   if (!are_finite(marker.corners) || !is_convex_clockwise(marker.corners)) {
     return Error{"the corners of " + name_of(marker) + " are not those of a square seen from its front"};

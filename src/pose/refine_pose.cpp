@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
 
 #include "camera/lens.h"
+#include "pose/damped_step.h"
 
 namespace runmark {
 namespace {
@@ -86,26 +86,9 @@ std::optional<Linearised> linearise(const Observation& seen, const Camera& camer
 Pose moved(const Pose& pose, const Step& step) {
   const Pose turn = pose_from({step[3], step[4], step[5]}, {});
   Pose result = turn * pose;
-  result.translation = {pose.translation.x + step[0], pose.translation.y + step[1], pose.translation.z + step[2]};
+  result.translation = {pose.translation.x + step[0], pose.translation.y + step[1],
+                        pose.translation.z + step[2]};
   return result;
-}
-
-/// Columns of very different units are brought to one first.
-bool solve(const cv::Matx66d& information, const Step& gradient, double damping, Step& step) {
-  cv::Matx66d scaled = information;
-  Step scale;
-  for (int i = 0; i < 6; ++i) {
-    if (!(information(i, i) > 0)) return false;
-    scale[i] = 1 / std::sqrt(information(i, i));
-  }
-  for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j < 6; ++j) scaled(i, j) *= scale[i] * scale[j];
-    scaled(i, i) += damping;
-  }
-  const Step right(gradient.mul(scale));
-  if (!cv::solve(scaled, right, step, cv::DECOMP_CHOLESKY)) return false;
-  step = step.mul(scale);
-  return true;
 }
 
 std::optional<PoseCovariance> covariance_of(const cv::Matx66d& information) {
@@ -114,7 +97,7 @@ std::optional<PoseCovariance> covariance_of(const cv::Matx66d& information) {
     Step unit = Step::zeros();
     unit[column] = 1;
     Step solved;
-    if (!solve(information, unit, 0, solved)) return {};
+    if (!damped_step(information, unit, 0, solved)) return {};
     for (int row = 0; row < 6; ++row) {
       if (!std::isfinite(solved[row])) return {};
       covariance[static_cast<std::size_t>(6 * row + column)] = solved[row];
@@ -133,7 +116,7 @@ std::optional<RefinedPose> refine_pose(const Observation& seen, const Camera& ca
   double damping = 1e-4;
   for (int i = 0; i < most_steps && damping < 1e8; ++i) {
     Step step;
-    if (!solve(here->information, here->gradient, damping, step)) return {};
+    if (!damped_step(here->information, here->gradient, damping, step)) return {};
     const Pose next = moved(pose, step);
     const std::optional<Linearised> there = linearise(seen, camera, next);
     if (!there || !(there->chi2 < here->chi2)) {

@@ -15,6 +15,7 @@ struct RefinedPose {
 
 /// Levenberg-Marquardt from `start` on. Nothing when points come to lie behind the camera or too few
 /// directions are held.
-[[nodiscard]] std::optional<RefinedPose> refine_pose(const Observation& seen, const Camera& camera, const Pose& start);
+[[nodiscard]] std::optional<RefinedPose> refine_pose(const Observation& seen, const Camera& camera,
+                                                     const Pose& start);
 
 }  // namespace runmark

@@ -14,7 +14,8 @@ namespace {
 Point project_by_opencv(const Camera& camera, const Point3& p) {
   const std::vector<cv::Point3d> object{{p.x, p.y, p.z}};
   const cv::Matx33d k(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
-  const std::vector<double> d(camera.distortion.begin(), camera.distortion.begin() + coefficients_of(camera.lens));
+  const std::vector<double> d(camera.distortion.begin(),
+                              camera.distortion.begin() + coefficients_of(camera.lens));
   std::vector<cv::Point2d> image;
   if (camera.lens == Lens::fisheye) {
     cv::fisheye::projectPoints(object, image, cv::Vec3d(), cv::Vec3d(), k, d);

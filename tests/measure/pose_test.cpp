@@ -70,7 +70,9 @@ TEST(Pose, FarTiltedMarkerHasTwoAnswersThatLeanOppositeWays) {
   EXPECT_LE(found->ambiguity, 1);
   const double turn = test::turn_between(found->best.pose, found->other->pose);
   EXPECT_GT(turn, 0.6);
-  EXPECT_LT(std::min(test::turn_between(found->best.pose, truth), test::turn_between(found->other->pose, truth)), 0.2);
+  EXPECT_LT(
+      std::min(test::turn_between(found->best.pose, truth), test::turn_between(found->other->pose, truth)),
+      0.2);
 }
 
 TEST(Pose, NearTiltedMarkerIsClear) {
@@ -145,7 +147,8 @@ TEST(Pose, TellsWhatIsWrong) {
 }
 
 TEST(PoseMaths, QuaternionAndRotationVectorAgreeWithTheMatrix) {
-  for (const Point3& v : {Point3{0, 0, 0}, {0.3, -0.2, 0.9}, {3.1, 0, 0}, {0, 3.1, 0}, {0, 0.1, -3.1}, {1e-9, 0, 0}}) {
+  for (const Point3& v :
+       {Point3{0, 0, 0}, {0.3, -0.2, 0.9}, {3.1, 0, 0}, {0, 3.1, 0}, {0, 0.1, -3.1}, {1e-9, 0, 0}}) {
     const Pose turned = pose_from(v, {1, 2, 3});
     const Point3 back = rotation_vector(turned);
     EXPECT_NEAR(back.x, v.x, 1e-9);
