@@ -124,8 +124,8 @@ TEST(CharucoCorners, AtLeastOpenCvsOnRealFrames) {
            RealBoard{"caliscope__cal_in_c0_001.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 12},
            {"caliscope__cal_in_c2_005.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 11},
            {"caliscope__cal_po_c3_003.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 12},
-           {"industrial_c__2.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.75, false, 24},
-           {"industrial_c__12.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.75, false, 24},
+           {"industrial_c__2.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.5, false, 24},
+           {"industrial_c__12.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.5, false, 24},
            {"opencv_contr__chocclusion_original.jpg", "DICT_6X6_250", cv::aruco::DICT_6X6_250, 5, 7, 0.5, false, 18},
            {"allwpilib__wpical_cal_009.jpg", "DICT_5X5_50", cv::aruco::DICT_5X5_50, 12, 8, 0.75, false, 77},
        }) {
