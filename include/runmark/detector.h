@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -57,6 +58,9 @@ class RUNMARK_EXPORT Detector {
 
   /// Markers of the current frame so far; grows while rows are pushed.
   [[nodiscard]] std::span<const Marker> markers() const;
+  /// Corners, clockwise, of the squares in which no marker was read; complete after `end`. Empty without
+  /// Options::keep_rejected.
+  [[nodiscard]] std::span<const std::array<Point, 4>> rejected() const;
   [[nodiscard]] const FrameStats& stats() const;
   [[nodiscard]] const Options& options() const;
   /// Bytes the detector holds, dictionaries and their look-up tables included.

@@ -87,6 +87,10 @@ struct Options {
   /// Row streaming: copy the grey rows into the detector's own store, so that the caller's memory need
   /// not outlive push_rows. Costs max_width * max_height bytes.
   bool copy_rows = false;
+
+  /// Also keep the squares that turned out to be no marker, see Detector::rejected: to find out why a marker
+  /// is missed. Up to 1,024 a frame.
+  bool keep_rejected = false;
 };
 
 }  // namespace runmark

@@ -14,6 +14,7 @@ namespace runmark {
 namespace {
 
 constexpr std::size_t most_markers = 2048;
+constexpr std::size_t most_rejected = 1024;
 
 Result<std::unique_ptr<FramePipeline>> make_pipeline(const Options& options,
                                                      const std::vector<Dictionary>& dictionaries) {
@@ -75,7 +76,9 @@ std::string complaint(const Options& o) {
 class Detector::Impl {
  public:
   Impl(const Options& options, std::vector<Dictionary> dictionaries)
-      : options_(options), dictionaries_(std::move(dictionaries)), found_(most_markers) {}
+      : options_(options),
+        dictionaries_(std::move(dictionaries)),
+        found_(most_markers, options.keep_rejected ? most_rejected : 0) {}
 
   [[nodiscard]] std::string prepare() {
     auto pipeline = make_pipeline(options_, dictionaries_);
@@ -126,10 +129,12 @@ class Detector::Impl {
     streaming_ = false;
     const bool whole = rows_in_ == frame_height_;
     if (region_.width > 0 && region_.height > 0) pipeline_->end_frame(stats_);
+    found_.end_frame();
     return whole ? Status::ok : Status::wrong_order;
   }
 
   [[nodiscard]] std::span<const Marker> markers() const { return found_.all(); }
+  [[nodiscard]] std::span<const std::array<Point, 4>> rejected() const { return found_.rejected(); }
   [[nodiscard]] const FrameStats& stats() const { return stats_; }
   [[nodiscard]] const Options& options() const { return options_; }
   [[nodiscard]] std::size_t memory() const {
@@ -204,6 +209,7 @@ Status Detector::push_rows(const ImageView& rows) {
 }
 Status Detector::end() { return impl_->end(); }
 std::span<const Marker> Detector::markers() const { return impl_->markers(); }
+std::span<const std::array<Point, 4>> Detector::rejected() const { return impl_->rejected(); }
 const FrameStats& Detector::stats() const { return impl_->stats(); }
 const Options& Detector::options() const { return impl_->options(); }
 std::size_t Detector::memory() const { return impl_->memory(); }

@@ -69,13 +69,12 @@ void HardwarePipeline::consider(const ClosedChain& chain, const GreyFrame& frame
   // The rows that are in for certain when this chain closes, whichever the phase of the bands.
   const int last_row = std::min(chain.bottom + IntegerTiles::side, height_ - 1);
   const auto reading = reader_.read(frame, last_row, *quad);
-  if (!reading) return;
 
   // Everything above is integers; from here on they are only written down in another way.
+  const auto rotation = static_cast<std::size_t>(reading ? reading->match.rotation : 0);
   std::array<Point, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = in_pixels(quad->corners[(i + static_cast<std::size_t>(reading->match.rotation)) % 4]);
-  }
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = in_pixels(quad->corners[(i + rotation) % 4]);
+  if (!reading) return found.reject(corners);
   if (found.has(corners)) return;
   Marker marker;
   marker.dictionary = reading->dictionary->name;

@@ -119,7 +119,8 @@ void PaperPipeline::consider(const ClosedChain& chain, const GreyFrame& frame, F
     }
     best = marker;
   }
-  if (best && !found.add(*best)) ++stats.dropped_markers;
+  if (!best) return found.reject(quad.corners);
+  if (!found.add(*best)) ++stats.dropped_markers;
 }
 
 void PaperPipeline::end_frame(FrameStats& stats) { scan_.add_counts(stats); }

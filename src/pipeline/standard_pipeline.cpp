@@ -97,9 +97,12 @@ void StandardPipeline::consider(std::size_t level, const ClosedChain& chain, con
 
 void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& frame, FoundMarkers& found,
                             FrameStats& stats) const {
-  if (found.has(quad.corners) || !reader_.has_border(frame, quad)) return;
-  std::optional<Marker> marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
-  if (!marker) return;
+  if (found.has(quad.corners)) return;
+  std::optional<Marker> marker;
+  if (reader_.has_border(frame, quad)) {
+    marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
+  }
+  if (!marker) return found.reject(quad.corners);
   marker->row = frame.height - 1;
   if (!found.add(*marker)) ++stats.dropped_markers;
 }

@@ -324,6 +324,36 @@ TEST(Detector, EveryPixelFormatAndRegion) {
       << "in pixels of the frame";
 }
 
+TEST(Detector, RejectedSquaresByOption) {
+  const Dictionary d = dictionary("DICT_6X6_50");
+  const auto marker = test::turned_square({80, 80}, 64, 0);
+  const auto empty = test::turned_square({200, 120}, 64, 0);
+  test::Picture picture(300, 240, 220);
+  test::draw_at(picture, d, 7, marker);
+  for (int y = 88; y < 152; ++y) {
+    for (int x = 168; x < 232; ++x) picture.at(x, y) = 30;
+  }
+  EXPECT_TRUE(make({}, {d}, 300, 240).detect(picture.view()).status == Status::ok);
+  for (const Pipeline pipeline : {Pipeline::standard, Pipeline::hardware, Pipeline::paper}) {
+    for (const int left : {0, 10}) {  // in pixels of the frame, wherever the region begins
+      Detector plain = make({.pipeline = pipeline}, {d}, 300, 240);
+      Detector detector = make(
+          {.pipeline = pipeline, .region = {left, 0, 300 - left, 240}, .keep_rejected = true}, {d}, 300, 240);
+      ASSERT_EQ(plain.detect(picture.view()).markers.size(), 1U);
+      EXPECT_TRUE(plain.rejected().empty());
+      EXPECT_GT(detector.memory(), plain.memory());
+      ASSERT_EQ(detector.detect(picture.view()).markers.size(), 1U);
+      ASSERT_EQ(detector.rejected().size(), 1U)
+          << "the empty square, once for all scales, and not the marker";
+      Marker rejected;
+      rejected.corners = detector.rejected()[0];
+      const auto top_left = std::ranges::min_element(rejected.corners, {}, [](Point p) { return p.x + p.y; });
+      std::rotate(rejected.corners.begin(), top_left, rejected.corners.end());
+      EXPECT_LT(worst_corner(rejected, empty), 1.5);
+    }
+  }
+}
+
 TEST(Detector, SizesOutsideTheLimitsAreNotReported) {
   const Dictionary d = dictionary("DICT_6X6_50");
   test::Picture picture(300, 240, 128);

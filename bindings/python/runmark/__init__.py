@@ -1,0 +1,33 @@
+"""Finds square fiducial markers (ArUco, AprilTag, your own) in one scan of the image.
+
+    import runmark
+    detector = runmark.Detector(dictionaries=["DICT_4X4_50"])
+    for marker in detector.detect(image):
+        print(marker.id, marker.corners)
+
+runmark.aruco answers like OpenCV's aruco module.
+"""
+
+from ._core import (
+    Detection,
+    Detector,
+    Dictionary,
+    FrameStats,
+    Marker,
+    RowStream,
+    __version__,
+    dictionary_names,
+    render,
+)
+
+__all__ = [
+    "Detection",
+    "Detector",
+    "Dictionary",
+    "FrameStats",
+    "Marker",
+    "RowStream",
+    "__version__",
+    "dictionary_names",
+    "render",
+]
