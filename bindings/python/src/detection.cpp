@@ -134,6 +134,12 @@ void bind_detection(py::module_& module) {
       "marker.")
       .def("__len__", [](const FoundMarkers& f) { return f.markers.size(); })
       .def("__getitem__", item, py::arg("index"))
+      .def("__iter__",
+           [](const FoundMarkers& f) {
+             py::list items;
+             for (const Marker& marker : f.markers) items.append(FoundMarker{marker, f.dictionaries});
+             return py::iter(items);
+           })
       .def_property_readonly(
           "ids",
           [](const FoundMarkers& f) { return column<std::int32_t>(f, [](const Marker& m) { return m.id; }); },
