@@ -3,6 +3,7 @@ pip installs nothing to build with; CMake, a C++20 compiler, Highway, pybind11 a
 
 import base64
 import hashlib
+import os
 import pathlib
 import re
 import subprocess
@@ -45,7 +46,8 @@ def build_package(prefix):
                  "-DRUNMARK_TOOLS=OFF", "-DRUNMARK_TESTS=OFF", "-DRUNMARK_WERROR=OFF",
                  f"-DPython_EXECUTABLE={sys.executable}"]
     subprocess.run(configure, check=True)
-    subprocess.run(["cmake", "--build", str(build), "--parallel", "--target", "runmark_python"], check=True)
+    subprocess.run(["cmake", "--build", str(build), "--parallel", str(os.cpu_count() or 1), "--target",
+                    "runmark_python"], check=True)
     subprocess.run(["cmake", "--install", str(build), "--component", "python", "--prefix", str(prefix), "--strip"],
                    check=True)
 
