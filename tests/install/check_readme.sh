@@ -8,6 +8,7 @@ check_snippet() { # LANGUAGE FILE: the README's block of the language is what st
 }
 check_snippet cpp examples/detect.cpp
 check_snippet c examples/detect.c
+check_snippet python examples/detect.py
 status=0
 for page in *.md docs/*.md; do
   while read -r link; do

@@ -1,9 +1,13 @@
 """The GIL is released, and threads can share a detector."""
 
+import os
+import statistics
 import threading
 
 import numpy as np
+import pytest
 
+import bench_threads
 import runmark
 
 
@@ -49,3 +53,16 @@ def test_one_detector_in_many_threads_gives_what_it_gives_in_one():
         thread.join()
     assert failures == []
     assert detector.memory < 8 * 8_000_000
+
+
+def test_two_threads_do_nearly_twice_the_work_of_one():
+    """1.8 times, or nine tenths of what two processes reach where other work leaves less than two cores."""
+    if (os.cpu_count() or 1) < 2:
+        pytest.skip("one processor: two threads cannot be faster")
+    pairs = []
+    for _ in range(6):
+        pairs += bench_threads.measure(3)
+        threads, processes = zip(*pairs)
+        if max(threads) >= 1.8 or statistics.median(threads) >= 0.9 * statistics.median(processes):
+            return
+    pytest.fail(f"(threads, processes): {pairs}")
