@@ -16,7 +16,8 @@ namespace runmark {
 struct BoardMarker {
   std::string dictionary;  ///< as its markers are reported; empty: any
   int id = -1;
-  std::array<Point3, 4> corners{};  ///< top-left, top-right, bottom-right, bottom-left as drawn, in the board's frame
+  std::array<Point3, 4>
+      corners{};  ///< top-left, top-right, bottom-right, bottom-left as drawn, in the board's frame
 };
 
 /// Rows of markers of one size.
@@ -28,8 +29,8 @@ struct GridLayout {
   int first_id = 0;   ///< of the top-left one; ids go on row by row
 };
 
-/// A chessboard with a marker in each white square (ChArUco). The inner corners of the chessboard are numbered from
-/// 0, row by row, from the top left one on.
+/// A chessboard with a marker in each white square (ChArUco). The inner corners of the chessboard are
+/// numbered from 0, row by row, from the top left one on.
 struct CharucoLayout {
   int columns = 0;    ///< squares
   int rows = 0;       ///< squares
@@ -48,9 +49,10 @@ struct CharucoLayout {
   }
 };
 
-/// Markers whose places are known relative to each other, in one frame and one unit. In the frame of a grid and of a
-/// ChArUco board the origin is the board's top-left corner, x goes right, y down and z into the sheet, as in OpenCV
-/// since 4.6. A ChArUco board's corner is that of its first square, a grid's that of its first marker.
+/// Markers whose places are known relative to each other, in one frame and one unit. In the frame of a grid
+/// and of a ChArUco board the origin is the board's top-left corner, x goes right, y down and z into the
+/// sheet, as in OpenCV since 4.6. A ChArUco board's corner is that of its first square, a grid's that of its
+/// first marker.
 struct Board {
   std::vector<BoardMarker> markers;
   std::vector<Point3> chess_corners;     ///< of a ChArUco board: the inner corners of the chessboard
@@ -60,6 +62,7 @@ struct Board {
 
 /// Errors: no columns or rows, sizes that do not fit, more markers than the dictionary has.
 [[nodiscard]] RUNMARK_EXPORT Result<Board> grid_board(const Dictionary& dictionary, const GridLayout& layout);
-[[nodiscard]] RUNMARK_EXPORT Result<Board> charuco_board(const Dictionary& dictionary, const CharucoLayout& layout);
+[[nodiscard]] RUNMARK_EXPORT Result<Board> charuco_board(const Dictionary& dictionary,
+                                                         const CharucoLayout& layout);
 
 }  // namespace runmark

@@ -13,7 +13,8 @@ constexpr int entries = static_cast<int>(2 * reach) * per_unit + 1;
 
 double slope_at(double t) { return std::sqrt(2 / std::numbers::pi) * std::exp(-0.5 * t * t); }
 
-/// The error function and its slope on a grid: between two entries a cubic is right to 1e-7, and ten times as fast.
+/// The error function and its slope on a grid: between two entries a cubic is right to 1e-7, and ten times as
+/// fast.
 struct Table {
   std::array<double, entries + 1> value{};
   std::array<double, entries + 1> slope{};

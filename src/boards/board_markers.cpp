@@ -84,8 +84,10 @@ std::vector<Candidate> agreeing(std::vector<Candidate> all) {
   });
   const auto same = [](const Candidate& a, const Candidate& b) { return a.index == b.index; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
-  const bool some_supported = std::any_of(all.begin(), all.end(), [](const Candidate& c) { return c.support > 0; });
-  std::erase_if(all, [&](const Candidate& c) { return some_supported && c.neighbours > 0 && c.support == 0; });
+  const bool some_supported =
+      std::any_of(all.begin(), all.end(), [](const Candidate& c) { return c.support > 0; });
+  std::erase_if(all,
+                [&](const Candidate& c) { return some_supported && c.neighbours > 0 && c.support == 0; });
   return all;
 }
 

@@ -23,7 +23,8 @@ struct Candidate {
 /// Whether all of the board lies in the plane z = 0.
 [[nodiscard]] bool is_flat(const Board& board);
 
-/// Every marker found that may be the board's. On a flat board each looks at its nearest neighbours among the others.
+/// Every marker found that may be the board's. On a flat board each looks at its nearest neighbours among the
+/// others.
 [[nodiscard]] std::vector<Candidate> candidates(const Board& board, std::span<const Marker> found);
 
 /// One candidate for each marker of the board: those that the others support.

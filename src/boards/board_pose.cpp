@@ -28,20 +28,22 @@ cv::Vec3d spread(const std::vector<Point3>& points) {
   return values;
 }
 
-/// The pose of points that do not lie in a plane. Source: G. Terzakis and M. Lourakis, "A consistently fast and globally
-/// optimal solution to the perspective-n-point problem", ECCV 2020, by OpenCV's SOLVEPNP_SQPNP.
+/// The pose of points that do not lie in a plane. Source: G. Terzakis and M. Lourakis, "A consistently fast
+/// and globally optimal solution to the perspective-n-point problem", ECCV 2020, by OpenCV's SOLVEPNP_SQPNP.
 Result<PoseEstimate> pose_in_space(const Observation& seen, const Camera& camera) {
   std::vector<cv::Point3d> object;
   std::vector<cv::Point2d> directions;
   for (const Point3& p : seen.object) object.emplace_back(p.x, p.y, p.z);
   for (const Point& place : seen.image) {
     const std::optional<Point> direction = camera.direction(place);
-    if (!direction) return Error{std::string(name) + " lies where the lens model of the camera does not hold"};
+    if (!direction)
+      return Error{std::string(name) + " lies where the lens model of the camera does not hold"};
     directions.emplace_back(direction->x, direction->y);
   }
   std::vector<cv::Mat> turns;
   std::vector<cv::Mat> places;
-  cv::solvePnPGeneric(object, directions, cv::Matx33d::eye(), cv::noArray(), turns, places, false, cv::SOLVEPNP_SQPNP);
+  cv::solvePnPGeneric(object, directions, cv::Matx33d::eye(), cv::noArray(), turns, places, false,
+                      cv::SOLVEPNP_SQPNP);
   std::optional<RefinedPose> best;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const auto* r = turns[i].ptr<double>();
@@ -56,7 +58,8 @@ Result<PoseEstimate> pose_in_space(const Observation& seen, const Camera& camera
 Result<PoseEstimate> pose_of(const Observation& seen, const Camera& camera) {
   const cv::Vec3d wide = spread(seen.object);
   if (seen.object.size() < 4 || !(wide[1] > 1e-6 * wide[0])) {
-    return Error{"too little of " + std::string(name) + " is seen: four corners that are not on one line are needed"};
+    return Error{"too little of " + std::string(name) +
+                 " is seen: four corners that are not on one line are needed"};
   }
   return wide[2] > 1e-6 * wide[0] ? pose_in_space(seen, camera) : planar_pose(seen, camera, name);
 }
@@ -90,11 +93,13 @@ Result<PoseEstimate> pose(const Board& board, const BoardView& view, const Camer
     for (const SeenMarker* m : markers) {
       const BoardMarker& place = board.markers[static_cast<std::size_t>(m->index)];
       if (!seen.add_marker(place.corners, m->marker.corners, m->covariance)) {
-        return Error{"the covariance of the corners of marker " + std::to_string(place.id) + " is not positive definite"};
+        return Error{"the covariance of the corners of marker " + std::to_string(place.id) +
+                     " is not positive definite"};
       }
     }
     for (const SeenCorner& c : view.corners) {
-      if (c.index < 0 || static_cast<std::size_t>(c.index) >= board.chess_corners.size() || !(c.deviation > 0)) {
+      if (c.index < 0 || static_cast<std::size_t>(c.index) >= board.chess_corners.size() ||
+          !(c.deviation > 0)) {
         return Error{"the view has a corner that is not the board's, or without a deviation"};
       }
       seen.add_point(board.chess_corners[static_cast<std::size_t>(c.index)], c.place, c.deviation);
@@ -103,11 +108,13 @@ Result<PoseEstimate> pose(const Board& board, const BoardView& view, const Camer
     if (!estimate || markers.size() < 3) return estimate;
     std::vector<double> errors;
     for (const SeenMarker* m : markers) {
-      errors.push_back(error_of(board.markers[static_cast<std::size_t>(m->index)], m->marker, estimate->best.pose, camera));
+      errors.push_back(error_of(board.markers[static_cast<std::size_t>(m->index)], m->marker,
+                                estimate->best.pose, camera));
     }
     const auto worst = std::max_element(errors.begin(), errors.end());
     std::vector<double> sorted = errors;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
     if (*worst < clearly_off * std::max(1.0, sorted[sorted.size() / 2])) return estimate;
     markers.erase(markers.begin() + (worst - errors.begin()));
   }

@@ -12,8 +12,8 @@
 namespace runmark {
 namespace {
 
-/// Grey level = mean + slope . (p - place) + contrast * shape(u, v), where u and v are the distances from the two edges
-/// and the shape is the product of two steps from -1 to 1, blurred by `width`, with the drawings.
+/// Grey level = mean + slope . (p - place) + contrast * shape(u, v), where u and v are the distances from the
+/// two edges and the shape is the product of two steps from -1 to 1, blurred by `width`, with the drawings.
 struct Crossing {
   static constexpr int parameters = 9;
   Point place;
@@ -67,7 +67,8 @@ struct Shape {
 Shape shape_of(double u, double v, double width, const Drawings& drawings) {
   const BlurredStep step_u = blurred_step(u, width);
   const BlurredStep step_v = blurred_step(v, width);
-  Shape shape{step_u.value * step_v.value, step_u.by_distance * step_v.value, step_u.value * step_v.by_distance,
+  Shape shape{step_u.value * step_v.value, step_u.by_distance * step_v.value,
+              step_u.value * step_v.by_distance,
               step_u.by_width * step_v.value + step_u.value * step_v.by_width};
   for (const double side_u : {-1.0, 1.0}) {
     const double side_v = drawings.on_diagonal ? side_u : -side_u;
@@ -124,7 +125,7 @@ double length_of(Point v) { return std::hypot(v.x, v.y); }
 
 /// The pixels along the two edges; of the others only what lies before their drawing.
 std::vector<Pixel> pixels_about(const GreySampler& grey, const CornerGuess& guess) {
-  constexpr double farthest = 12;   // pixels along an edge
+  constexpr double farthest = 12;  // pixels along an edge
   constexpr double deepest = 3;    // pixels into a plain square
   const double det = guess.right.x * guess.down.y - guess.right.y * guess.down.x;
   const double side = std::min(length_of(guess.right), length_of(guess.down));
@@ -141,7 +142,7 @@ std::vector<Pixel> pixels_about(const GreySampler& grey, const CornerGuess& gues
     for (int x = x0; x <= x1; ++x) {
       const double dx = x - guess.place.x;
       const double dy = y - guess.place.y;
-      const double a = (dx * guess.down.y - dy * guess.down.x) / det;   // squares to the right
+      const double a = (dx * guess.down.y - dy * guess.down.x) / det;    // squares to the right
       const double b = (guess.right.x * dy - guess.right.y * dx) / det;  // and downwards
       if (std::max(std::fabs(a), std::fabs(b)) > reach) continue;
       const bool plain = (a * b > 0) == guess.plain_first;
@@ -180,18 +181,18 @@ double turn_between(double a, double b) { return std::fabs(std::remainder(a - b,
 std::optional<ChessCorner> fit_chess_corner(const GreySampler& grey, const CornerGuess& guess) {
   constexpr int most_steps = 25;
   constexpr std::size_t least_pixels = 24;
-  constexpr double least_contrast = 6;    // grey levels, half of white less black
+  constexpr double least_contrast = 6;      // grey levels, half of white less black
   constexpr double most_unexplained = 0.2;  // of the variance
-  constexpr double most_turn = 0.3;  // radians
-  constexpr double of_model = 1.3;   // on rendered boards corners are off by so much more than by noise alone
+  constexpr double most_turn = 0.3;         // radians
+  constexpr double of_model = 1.3;  // on rendered boards corners are off by so much more than by noise alone
   const std::vector<Pixel> pixels = pixels_about(grey, guess);
   if (pixels.size() < least_pixels) return {};
   const Crossing first = first_guess(pixels, guess);
   const double variance = first.contrast * first.contrast;
   if (variance < 1) return {};
   const double det = guess.right.x * guess.down.y - guess.right.y * guess.down.x;
-  const Drawings drawings{guess.margin * det / length_of(guess.down), guess.margin * det / length_of(guess.right),
-                          !guess.plain_first};
+  const Drawings drawings{guess.margin * det / length_of(guess.down),
+                          guess.margin * det / length_of(guess.right), !guess.plain_first};
   Crossing here = first;
   Linearised sums = linearise(pixels, here, drawings);
   double damping = 1e-3;
@@ -223,7 +224,8 @@ std::optional<ChessCorner> fit_chess_corner(const GreySampler& grey, const Corne
   cv::Vec<double, Crossing::parameters> unit_x;
   cv::Vec<double, Crossing::parameters> unit_y;
   unit_x[0] = unit_y[1] = 1;
-  if (!damped_step(sums.information, unit_x, 0, of_x) || !damped_step(sums.information, unit_y, 0, of_y)) return {};
+  if (!damped_step(sums.information, unit_x, 0, of_x) || !damped_step(sums.information, unit_y, 0, of_y))
+    return {};
   const double noise2 = sums.square_error / (n - Crossing::parameters);
   const double deviation = std::sqrt(noise2 * (of_x[0] + of_y[1]) / 2);
   if (!std::isfinite(deviation)) return {};

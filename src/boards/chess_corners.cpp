@@ -112,8 +112,9 @@ class Finder {
     const double right = std::hypot(g.right.x, g.right.y);
     const double down = std::hypot(g.down.x, g.down.y);
     const double turn = g.right.x * g.down.y - g.right.y * g.down.x;
-    return g.place.x > 0 && g.place.y > 0 && g.place.x < grey_.width() - 1 && g.place.y < grey_.height() - 1 &&
-           right > least_side && down > least_side && turn > 0.15 * right * down;
+    return g.place.x > 0 && g.place.y > 0 && g.place.x < grey_.width() - 1 &&
+           g.place.y < grey_.height() - 1 && right > least_side && down > least_side &&
+           turn > 0.15 * right * down;
   }
 
   const Board& board_;

@@ -111,7 +111,8 @@ std::string size_advice(const Board& board, std::span<const Marker> found) {
   if (!size || std::fabs(*size - 1) < clear) return {};
   const double told = board.charuco->marker / board.charuco->square;
   std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "the markers seen are %.2f of a square wide, not %.2f as on the board described",
+  std::snprintf(text.data(), text.size(),
+                "the markers seen are %.2f of a square wide, not %.2f as on the board described",
                 *size * told, told);
   return text.data();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <opencv2/core/matx.hpp>
+#include <optional>
 #include <vector>
 
 #include "runmark/marker.h"
@@ -12,7 +12,8 @@ namespace runmark {
 class PlaneMap {
  public:
   /// Of at least four points; nothing when they lie on a line.
-  [[nodiscard]] static std::optional<PlaneMap> fit(const std::vector<Point>& board, const std::vector<Point>& picture);
+  [[nodiscard]] static std::optional<PlaneMap> fit(const std::vector<Point>& board,
+                                                   const std::vector<Point>& picture);
   [[nodiscard]] Point operator()(Point p) const;
 
  private:

@@ -18,14 +18,15 @@ std::optional<Error> check_ids(const Dictionary& dictionary, int first, std::siz
   const std::size_t last = static_cast<std::size_t>(std::max(first, 0)) + count;
   if (first >= 0 && last <= dictionary.codes.size()) return {};
   return Error{"the board needs the ids " + std::to_string(first) + " to " +
-               std::to_string(first + static_cast<long long>(count) - 1) + ", but " + dictionary.name + " has " +
-               std::to_string(dictionary.codes.size()) + " markers"};
+               std::to_string(first + static_cast<long long>(count) - 1) + ", but " + dictionary.name +
+               " has " + std::to_string(dictionary.codes.size()) + " markers"};
 }
 
 std::optional<Error> check_counts(int columns, int rows, int least, const char* what) {
   if (columns >= least && rows >= least && columns <= most_side && rows <= most_side) return {};
-  return Error{std::string("a ") + what + " board has " + std::to_string(least) + " to " + std::to_string(most_side) +
-               " columns and rows, not " + std::to_string(columns) + " x " + std::to_string(rows)};
+  return Error{std::string("a ") + what + " board has " + std::to_string(least) + " to " +
+               std::to_string(most_side) + " columns and rows, not " + std::to_string(columns) + " x " +
+               std::to_string(rows)};
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ Result<Board> charuco_board(const Dictionary& dictionary, const CharucoLayout& l
       if (layout.is_black(column, row)) continue;
       auto corners = square_at(column * layout.square + margin, row * layout.square + margin, layout.marker);
       if (layout.turned) std::rotate(corners.begin(), corners.begin() + 2, corners.end());
-      board.markers.push_back({dictionary.name, layout.first_id + static_cast<int>(board.markers.size()), corners});
+      board.markers.push_back(
+          {dictionary.name, layout.first_id + static_cast<int>(board.markers.size()), corners});
     }
   }
   if (auto error = check_ids(dictionary, layout.first_id, board.markers.size())) return *error;

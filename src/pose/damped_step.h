@@ -5,8 +5,8 @@
 
 namespace runmark {
 
-/// The step that normal equations ask for, by Cholesky's decomposition; parameters of very different units are brought
-/// to one first. False when some direction is not held.
+/// The step that normal equations ask for, by Cholesky's decomposition; parameters of very different units
+/// are brought to one first. False when some direction is not held.
 /// @param damping  added to the diagonal of ones
 template <int n>
 [[nodiscard]] bool damped_step(const cv::Matx<double, n, n>& information, const cv::Vec<double, n>& gradient,

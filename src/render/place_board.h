@@ -14,8 +14,8 @@ struct BoardPrint {
   bool inverted = false;
 };
 
-/// Adds a flat board (a grid or a ChArUco board, in its own unit) to the scene. `pose` is that of the board's frame; its
-/// vectors have the length of the board's unit. The board's markers become the scene's.
+/// Adds a flat board (a grid or a ChArUco board, in its own unit) to the scene. `pose` is that of the board's
+/// frame; its vectors have the length of the board's unit. The board's markers become the scene's.
 void place_board(Scene& scene, const Board& board, const Dictionary& dictionary, const PlanePose& pose,
                  const BoardPrint& print);
 

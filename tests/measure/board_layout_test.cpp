@@ -11,7 +11,8 @@ Dictionary dictionary() { return *builtin_dictionary("DICT_4X4_50"); }
 
 TEST(BoardLayout, CharucoIsThatOfOpenCvSince46) {
   for (const auto& [columns, rows] : {std::pair{5, 7}, {4, 6}, {7, 4}, {6, 5}}) {
-    const auto ours = charuco_board(dictionary(), {.columns = columns, .rows = rows, .square = 2, .marker = 1.5});
+    const auto ours =
+        charuco_board(dictionary(), {.columns = columns, .rows = rows, .square = 2, .marker = 1.5});
     ASSERT_TRUE(ours) << ours.error();
     const auto theirs = cv::aruco::CharucoBoard::create(
         columns, rows, 2, 1.5, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50));
@@ -32,10 +33,11 @@ TEST(BoardLayout, CharucoIsThatOfOpenCvSince46) {
 }
 
 TEST(BoardLayout, GridIsThatOfOpenCv) {
-  const auto ours = grid_board(dictionary(), {.columns = 3, .rows = 4, .marker = 2, .gap = 0.5, .first_id = 7});
+  const auto ours =
+      grid_board(dictionary(), {.columns = 3, .rows = 4, .marker = 2, .gap = 0.5, .first_id = 7});
   ASSERT_TRUE(ours) << ours.error();
-  const auto theirs =
-      cv::aruco::GridBoard::create(3, 4, 2, 0.5, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), 7);
+  const auto theirs = cv::aruco::GridBoard::create(
+      3, 4, 2, 0.5, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), 7);
   ASSERT_EQ(ours->markers.size(), theirs->ids.size());
   for (std::size_t i = 0; i < theirs->ids.size(); ++i) {
     EXPECT_EQ(ours->markers[i].id, theirs->ids[i]);
@@ -62,16 +64,20 @@ TEST(BoardLayout, LegacyCharucoDiffersWithEvenRowsOnly) {
 
 TEST(BoardLayout, TellsWhatIsWrong) {
   const auto error = [](const CharucoLayout& layout) { return charuco_board(dictionary(), layout).error(); };
-  EXPECT_NE(error({.columns = 1, .rows = 5, .square = 1, .marker = 0.5}).find("not 1 x 5"), std::string::npos);
+  EXPECT_NE(error({.columns = 1, .rows = 5, .square = 1, .marker = 0.5}).find("not 1 x 5"),
+            std::string::npos);
   EXPECT_NE(error({.columns = 4, .rows = 5, .square = 1, .marker = 1}).find("less than that of the squares"),
             std::string::npos);
-  EXPECT_NE(error({.columns = 20, .rows = 20, .square = 1, .marker = 0.5}).find("DICT_4X4_50 has 50"), std::string::npos);
+  EXPECT_NE(error({.columns = 20, .rows = 20, .square = 1, .marker = 0.5}).find("DICT_4X4_50 has 50"),
+            std::string::npos);
   EXPECT_NE(error({.columns = 4, .rows = 5, .square = 1, .marker = 0.5, .first_id = 45}).find("45 to 54"),
             std::string::npos);
-  EXPECT_NE(grid_board(dictionary(), {.columns = 2, .rows = 2, .marker = 0, .gap = 1}).error().find("positive"),
-            std::string::npos);
-  EXPECT_NE(grid_board(dictionary(), {.columns = 2, .rows = 2, .marker = 1, .first_id = -1}).error().find("-1"),
-            std::string::npos);
+  EXPECT_NE(
+      grid_board(dictionary(), {.columns = 2, .rows = 2, .marker = 0, .gap = 1}).error().find("positive"),
+      std::string::npos);
+  EXPECT_NE(
+      grid_board(dictionary(), {.columns = 2, .rows = 2, .marker = 1, .first_id = -1}).error().find("-1"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 class Eye {
  public:
   explicit Eye(const Dictionary& dictionary, bool inverted = false)
-      : detector_(*Detector::create({.max_width = 960, .max_height = 720, .inverted = inverted}, {dictionary})) {}
+      : detector_(
+            *Detector::create({.max_width = 960, .max_height = 720, .inverted = inverted}, {dictionary})) {}
   std::span<const Marker> look(const render::RenderedFrame& frame) {
     return detector_.detect(test::view_of(frame)).markers;
   }
@@ -22,7 +23,8 @@ class Eye {
   Detector detector_;
 };
 
-void expect_corners(const BoardView& view, const Board& board, const test::BoardScene& made, double most_rms) {
+void expect_corners(const BoardView& view, const Board& board, const test::BoardScene& made,
+                    double most_rms) {
   double sum = 0;
   for (const SeenCorner& corner : view.corners) {
     const Point3& p = board.chess_corners[static_cast<std::size_t>(corner.index)];
@@ -86,7 +88,8 @@ TEST(BoardView, ToneCurveMovesNoCorner) {
 
 TEST(BoardView, GridGivesItsPoseWithOneWrongMarkerAmongThem) {
   const Dictionary dictionary = *builtin_dictionary("tag36h11");
-  const Board board = *grid_board(dictionary, {.columns = 4, .rows = 3, .marker = 0.05, .gap = 0.02, .first_id = 10});
+  const Board board =
+      *grid_board(dictionary, {.columns = 4, .rows = 3, .marker = 0.05, .gap = 0.02, .first_id = 10});
   Eye eye(dictionary);
   const test::BoardScene made = test::board_scene(board, dictionary, {.size = 300});
   const render::RenderedFrame frame = render::render(made.scene);
@@ -112,7 +115,8 @@ TEST(BoardView, BoardInSpaceHasOneAnswer) {
     const auto add = [](Point3 a, Point3 b) { return Point3{a.x + b.x, a.y + b.y, a.z + b.z}; };
     return BoardMarker{"", id, {corner, add(corner, u), add(add(corner, u), v), add(corner, v)}};
   };
-  board.markers = {side(1, {0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}), side(2, {0.12, 0, 0.02}, {0, 0, 0.1}, {0, 0.1, 0})};
+  board.markers = {side(1, {0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}),
+                   side(2, {0.12, 0, 0.02}, {0, 0, 0.1}, {0, 0.1, 0})};
   const Camera camera{640, 480, 500, 500, 320, 240, Lens::plain, {-0.2, 0.05, 0, 0, 0}};
   const Pose exact = pose_from({0.1, 0.6, 0.05}, {-0.05, -0.03, 0.5});
   BoardView view;
@@ -154,7 +158,8 @@ TEST(BoardView, SaysWhenThePictureFitsAnotherLayout) {
   EXPECT_NE(advice(usual, exchanged).find("6 x 8 squares"), std::string::npos);
   CharucoLayout small = usual;
   small.marker = 0.55;
-  EXPECT_EQ(advice(small, usual), "the markers seen are 0.55 of a square wide, not 0.70 as on the board described");
+  EXPECT_EQ(advice(small, usual),
+            "the markers seen are 0.55 of a square wide, not 0.70 as on the board described");
 }
 
 TEST(BoardView, SaysWhenMarkersStandOnTheirHeads) {

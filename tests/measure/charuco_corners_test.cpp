@@ -16,9 +16,11 @@
 namespace runmark {
 namespace {
 
-// OpenCV's corners by index; those not found are missing. It gives ChArUco corners half a pixel to the right and below
-// of where its own marker corners would be (cornerSubPix is called with 0.5 taken off, which is added again).
-std::vector<std::pair<int, Point>> corners_by_opencv(const cv::Mat& grey, const CharucoLayout& layout, int dictionary) {
+// OpenCV's corners by index; those not found are missing. It gives ChArUco corners half a pixel to the right
+// and below of where its own marker corners would be (cornerSubPix is called with 0.5 taken off, which is
+// added again).
+std::vector<std::pair<int, Point>> corners_by_opencv(const cv::Mat& grey, const CharucoLayout& layout,
+                                                     int dictionary) {
   const auto known = cv::aruco::getPredefinedDictionary(dictionary);
   const auto board =
       cv::aruco::CharucoBoard::create(layout.columns, layout.rows, static_cast<float>(layout.square),
@@ -32,7 +34,8 @@ std::vector<std::pair<int, Point>> corners_by_opencv(const cv::Mat& grey, const 
   std::vector<int> indices;
   cv::aruco::interpolateCornersCharuco(markers, ids, grey, board, places, indices);
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    corners.push_back({indices[i], {static_cast<double>(places[i].x) - 0.5, static_cast<double>(places[i].y) - 0.5}});
+    corners.push_back(
+        {indices[i], {static_cast<double>(places[i].x) - 0.5, static_cast<double>(places[i].y) - 0.5}});
   }
   return corners;
 }
@@ -59,9 +62,9 @@ TEST(CharucoCorners, MoreThanOpenCvFindsAndCloserToTheTruth) {
     CharucoLayout layout{.columns = 5 + rng.below(5), .rows = 4 + rng.below(5), .square = 1};
     layout.marker = rng.uniform(0.6, 0.8);
     const Board board = *charuco_board(dictionary, layout);
-    test::BoardScene made = test::board_scene(board, dictionary,
-                                              {rng.uniform(200, 500), rng.uniform(0, 1), rng.uniform(0, 6.28),
-                                               rng.uniform(0, 6.28)});
+    test::BoardScene made = test::board_scene(
+        board, dictionary,
+        {rng.uniform(200, 500), rng.uniform(0, 1), rng.uniform(0, 6.28), rng.uniform(0, 6.28)});
     made.scene.optics.blur = rng.uniform(0.3, 1.8);
     made.scene.sensor.noise = rng.uniform(0.5, 5);
     made.scene.sensor.gamma = rng.chance(0.3) ? 2.2 : 1;
@@ -86,8 +89,9 @@ TEST(CharucoCorners, MoreThanOpenCvFindsAndCloserToTheTruth) {
       }
     }
   }
-  std::printf("ours %d corners, %.4f px rms; shared %d: ours %.4f, OpenCV's %.4f; OpenCV found %d\n", ours.count,
-              ours.rms(), shared_ours.count, shared_ours.rms(), shared_theirs.rms(), theirs_found);
+  std::printf("ours %d corners, %.4f px rms; shared %d: ours %.4f, OpenCV's %.4f; OpenCV found %d\n",
+              ours.count, ours.rms(), shared_ours.count, shared_ours.rms(), shared_theirs.rms(),
+              theirs_found);
   EXPECT_GE(ours.count, theirs_found);
   EXPECT_LT(ours.rms(), 0.1);
   EXPECT_LT(shared_ours.rms(), 0.5 * shared_theirs.rms());
@@ -118,25 +122,30 @@ struct RealBoard {
 TEST(CharucoCorners, AtLeastOpenCvsOnRealFrames) {
   const char* shared = std::getenv("RUNMARK_SHARED");
   const std::filesystem::path folder =
-      std::filesystem::path(shared != nullptr ? shared : RUNMARK_SOURCE_DIR "/../shared") / "real-images/images";
+      std::filesystem::path(shared != nullptr ? shared : RUNMARK_SOURCE_DIR "/../shared") /
+      "real-images/images";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there: no real frames are read";
   for (const RealBoard& real : {
-           RealBoard{"caliscope__cal_in_c0_001.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 12},
+           RealBoard{"caliscope__cal_in_c0_001.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true,
+                     12},
            {"caliscope__cal_in_c2_005.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 11},
            {"caliscope__cal_po_c3_003.jpg", "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true, 12},
            {"industrial_c__2.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.5, false, 24},
            {"industrial_c__12.jpg", "DICT_6X6_50", cv::aruco::DICT_6X6_50, 5, 7, 0.5, false, 24},
-           {"opencv_contr__chocclusion_original.jpg", "DICT_6X6_250", cv::aruco::DICT_6X6_250, 5, 7, 0.5, false, 18},
+           {"opencv_contr__chocclusion_original.jpg", "DICT_6X6_250", cv::aruco::DICT_6X6_250, 5, 7, 0.5,
+            false, 18},
            {"allwpilib__wpical_cal_009.jpg", "DICT_5X5_50", cv::aruco::DICT_5X5_50, 12, 8, 0.75, false, 77},
        }) {
     const cv::Mat grey = cv::imread((folder / real.image).string(), cv::IMREAD_GRAYSCALE);
     ASSERT_FALSE(grey.empty()) << real.image;
-    const CharucoLayout layout{.columns = real.columns, .rows = real.rows, .square = 1, .marker = real.marker};
+    const CharucoLayout layout{
+        .columns = real.columns, .rows = real.rows, .square = 1, .marker = real.marker};
     const Dictionary dictionary = *builtin_dictionary(real.dictionary);
     const Board board = *charuco_board(dictionary, layout);
-    auto detector = *Detector::create({.max_width = grey.cols, .max_height = grey.rows, .inverted = real.inverted},
-                                      {dictionary});
-    const auto view = ImageView::grey(grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0]));
+    auto detector = *Detector::create(
+        {.max_width = grey.cols, .max_height = grey.rows, .inverted = real.inverted}, {dictionary});
+    const auto view =
+        ImageView::grey(grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0]));
     const BoardView seen = view_board(board, detector.detect(view).markers, view);
     const cv::Mat black_on_white = real.inverted ? cv::Mat(255 - grey) : grey;
     const auto theirs = corners_by_opencv(black_on_white, layout, real.opencv);
