@@ -14,8 +14,8 @@ namespace runmark {
 /// How large markers are: one size for all, others for some ids. Later ones win.
 class MarkerSizes {
  public:
-  /// Each text is "SIZE" (all markers), "ID=SIZE", "FIRST-LAST=SIZE", any of the two with "DICTIONARY:" before it, or
-  /// "DICTIONARY:=SIZE". Errors: a text of another form, a size that is not positive.
+  /// Each text is "SIZE" (all markers), "ID=SIZE", "FIRST-LAST=SIZE", any of the two with "DICTIONARY:"
+  /// before it, or "DICTIONARY:=SIZE". Errors: a text of another form, a size that is not positive.
   [[nodiscard]] static RUNMARK_EXPORT Result<MarkerSizes> parse(std::span<const std::string> texts);
 
   void set(std::string dictionary, int first_id, int last_id, double size) {

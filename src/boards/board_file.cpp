@@ -44,7 +44,8 @@ T get_or(const json& object, const char* key, const std::string& where, T otherw
 
 Point3 point(const json& object, const char* key, const std::string& where) {
   const auto values = get<std::vector<double>>(object, key, where);
-  if (values.size() != 3) throw Wrong(where + "'" + key + "' has " + std::to_string(values.size()) + " numbers, not 3");
+  if (values.size() != 3)
+    throw Wrong(where + "'" + key + "' has " + std::to_string(values.size()) + " numbers, not 3");
   return {values[0], values[1], values[2]};
 }
 
@@ -55,7 +56,8 @@ void check_square(const std::array<Point3, 4>& c, const std::string& where) {
   const double side = away(c[0], c[1]);
   const double diagonal = away(c[0], c[2]);
   const bool square = side > 0 && std::fabs(away(c[1], c[2]) - side) < 0.01 * side &&
-                      std::fabs(away(c[2], c[3]) - side) < 0.01 * side && std::fabs(away(c[3], c[0]) - side) < 0.01 * side &&
+                      std::fabs(away(c[2], c[3]) - side) < 0.01 * side &&
+                      std::fabs(away(c[3], c[0]) - side) < 0.01 * side &&
                       std::fabs(diagonal - std::sqrt(2.0) * side) < 0.02 * side &&
                       std::fabs(away(c[1], c[3]) - diagonal) < 0.02 * side;
   if (!square) throw Wrong(where + "its corners are not those of a square, in order");
@@ -93,8 +95,10 @@ Board placed(const json& root) {
   for (std::size_t i = 0; i < markers.size(); ++i) {
     board.markers.push_back(placed_marker(markers[i], dictionary, i));
     for (std::size_t j = 0; j < i; ++j) {
-      if (board.markers[j].id == board.markers[i].id && board.markers[j].dictionary == board.markers[i].dictionary) {
-        throw Wrong("marker " + std::to_string(i) + " of the list: id " + std::to_string(board.markers[i].id) + " is there twice");
+      if (board.markers[j].id == board.markers[i].id &&
+          board.markers[j].dictionary == board.markers[i].dictionary) {
+        throw Wrong("marker " + std::to_string(i) + " of the list: id " +
+                    std::to_string(board.markers[i].id) + " is there twice");
       }
     }
   }
@@ -170,10 +174,11 @@ Board described(const std::string& description) {
   const auto [columns, rows] = columns_and_rows(parts[2]);
   if (parts[0] == "grid") {
     if (parts.size() > 5) throw Wrong(forms);
-    return value_or_wrong(
-        grid_board(dictionary, {.columns = columns, .rows = rows, .marker = length(parts[3]), .gap = length(parts[4])}));
+    return value_or_wrong(grid_board(
+        dictionary, {.columns = columns, .rows = rows, .marker = length(parts[3]), .gap = length(parts[4])}));
   }
-  CharucoLayout layout{.columns = columns, .rows = rows, .square = length(parts[3]), .marker = length(parts[4])};
+  CharucoLayout layout{
+      .columns = columns, .rows = rows, .square = length(parts[3]), .marker = length(parts[4])};
   for (std::size_t i = 5; i < parts.size(); ++i) {
     if (parts[i] == "legacy") {
       layout.legacy = true;

@@ -56,7 +56,8 @@ std::vector<double> numbers(const YAML::Node& node, const std::string& what) {
 int side(const YAML::Node& node, const char* what) {
   if (!node) return 0;
   const double value = number(node, what);
-  if (value < 0 || value > 1e6 || value != static_cast<int>(value)) throw Wrong(std::string(what) + " is not a picture's side");
+  if (value < 0 || value > 1e6 || value != static_cast<int>(value))
+    throw Wrong(std::string(what) + " is not a picture's side");
   return static_cast<int>(value);
 }
 
@@ -68,7 +69,8 @@ std::optional<Lens> named_lens(const YAML::Node& root) {
     if (name == "rational_polynomial" || name == "rational") return Lens::rational;
     if (name == "equidistant" || name == "fisheye") return Lens::fisheye;
     if (!name.empty()) {
-      throw Wrong("distortion_model '" + name + "' is not one of plumb_bob, rational_polynomial, equidistant, fisheye");
+      throw Wrong("distortion_model '" + name +
+                  "' is not one of plumb_bob, rational_polynomial, equidistant, fisheye");
     }
   }
   const YAML::Node flag = root["fisheye_model"];
@@ -83,7 +85,8 @@ std::optional<Lens> named_lens(const YAML::Node& root) {
 void set_lens(Camera& camera, std::optional<Lens> named, std::vector<double> values) {
   std::size_t used = values.size();
   while (used > 0 && values[used - 1] == 0) --used;
-  if (values.size() > 14) throw Wrong("there are " + std::to_string(values.size()) + " distortion coefficients; 14 is the most");
+  if (values.size() > 14)
+    throw Wrong("there are " + std::to_string(values.size()) + " distortion coefficients; 14 is the most");
   if (used > 12) throw Wrong("the distortion has a tilted sensor (14 coefficients), which is not supported");
   if (named) {
     camera.lens = *named;
@@ -102,9 +105,10 @@ Camera camera_of(const YAML::Node& root) {
   if (!root.IsMap()) throw Wrong("this is no camera file: it has no keys");
   Camera camera;
   camera.width = side(child(root, {"image_width", "imageWidth", "image_Width", "width"}), "image_width");
-  camera.height = side(child(root, {"image_height", "imageHeight", "image_Height", "height"}), "image_height");
-  const YAML::Node matrix =
-      child(root, {"camera_matrix", "cameraMatrix", "Camera_Matrix", "CameraMatrix", "intrinsic_matrix", "K", "k"});
+  camera.height =
+      side(child(root, {"image_height", "imageHeight", "image_Height", "height"}), "image_height");
+  const YAML::Node matrix = child(
+      root, {"camera_matrix", "cameraMatrix", "Camera_Matrix", "CameraMatrix", "intrinsic_matrix", "K", "k"});
   if (!matrix) throw Wrong("there is no camera_matrix (nor K)");
   const std::vector<double> k = numbers(matrix, "camera_matrix");
   if (k.size() != 9) throw Wrong("camera_matrix has " + std::to_string(k.size()) + " numbers, not 9");
@@ -118,9 +122,11 @@ Camera camera_of(const YAML::Node& root) {
   const YAML::Node distortion =
       child(root, {"distortion_coefficients", "distCoeffs", "Distortion_Coefficients", "dist_coeffs",
                    "distortionCoefficients", "distortion", "D", "d"});
-  const std::vector<double> d = distortion ? numbers(distortion, "distortion_coefficients") : std::vector<double>();
+  const std::vector<double> d =
+      distortion ? numbers(distortion, "distortion_coefficients") : std::vector<double>();
   set_lens(camera, named_lens(root), d);
-  if (!camera.is_valid()) throw Wrong("its numbers make no sense: focal lengths must be positive, all numbers finite");
+  if (!camera.is_valid())
+    throw Wrong("its numbers make no sense: focal lengths must be positive, all numbers finite");
   return camera;
 }
 
@@ -148,8 +154,8 @@ std::string list(const double* values, int count) {
 }
 
 std::string opencv_matrix(const char* name, int rows, int columns, const std::string& data) {
-  return std::string(name) + ": !!opencv-matrix\n   rows: " + std::to_string(rows) + "\n   cols: " +
-         std::to_string(columns) + "\n   dt: d\n   data: " + data + "\n";
+  return std::string(name) + ": !!opencv-matrix\n   rows: " + std::to_string(rows) +
+         "\n   cols: " + std::to_string(columns) + "\n   dt: d\n   data: " + data + "\n";
 }
 
 std::string ros_matrix(const char* name, int rows, int columns, const std::string& data) {
@@ -160,7 +166,8 @@ std::string ros_matrix(const char* name, int rows, int columns, const std::strin
 /// OpenCV knows 4, 5, 8 and 12 coefficients, ROS 4, 5 and 8.
 int coefficients_to_write(const Camera& camera) {
   if (camera.lens != Lens::rational) return coefficients_of(camera.lens);
-  const bool prism = std::any_of(camera.distortion.begin() + 8, camera.distortion.end(), [](double v) { return v != 0; });
+  const bool prism =
+      std::any_of(camera.distortion.begin() + 8, camera.distortion.end(), [](double v) { return v != 0; });
   return prism ? 12 : 8;
 }
 
@@ -170,7 +177,8 @@ Result<Camera> parse_camera(std::string_view text) {
   try {
     return camera_of(YAML::Load(as_yaml(text)));
   } catch (const YAML::Exception& error) {
-    const std::string where = error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
+    const std::string where =
+        error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
     return Error{where + "this is no YAML: " + error.msg};
   } catch (const std::exception& error) {
     return Error{error.what()};
@@ -190,7 +198,8 @@ std::string camera_text(const Camera& camera, CameraFormat format, double error,
   const std::array k{camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0};
   const int count = coefficients_to_write(camera);
   const std::string d = list(camera.distortion.data(), count);
-  const std::string size = "image_width: " + std::to_string(camera.width) + "\nimage_height: " + std::to_string(camera.height) + "\n";
+  const std::string size = "image_width: " + std::to_string(camera.width) +
+                           "\nimage_height: " + std::to_string(camera.height) + "\n";
   if (format == CameraFormat::opencv) {
     std::string text = "%YAML:1.0\n---\n" + size + opencv_matrix("camera_matrix", 3, 3, list(k.data(), 9)) +
                        opencv_matrix("distortion_coefficients", 1, count, d);
@@ -198,12 +207,15 @@ std::string camera_text(const Camera& camera, CameraFormat format, double error,
     if (error >= 0) text += "avg_reprojection_error: " + decimal(error) + "\n";
     return text;
   }
-  const char* model = camera.lens == Lens::plain ? "plumb_bob" : camera.lens == Lens::fisheye ? "equidistant" : "rational_polynomial";
+  const char* model = camera.lens == Lens::plain     ? "plumb_bob"
+                      : camera.lens == Lens::fisheye ? "equidistant"
+                                                     : "rational_polynomial";
   const std::array r{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   const std::array p{camera.fx, 0.0, camera.cx, 0.0, 0.0, camera.fy, camera.cy, 0.0, 0.0, 0.0, 1.0, 0.0};
   std::string text = error < 0 ? "" : "# rms reprojection error: " + decimal(error) + " px\n";
-  return text + size + "camera_name: " + std::string(name) + "\n" + ros_matrix("camera_matrix", 3, 3, list(k.data(), 9)) +
-         "distortion_model: " + model + "\n" + ros_matrix("distortion_coefficients", 1, count, d) +
+  return text + size + "camera_name: " + std::string(name) + "\n" +
+         ros_matrix("camera_matrix", 3, 3, list(k.data(), 9)) + "distortion_model: " + model + "\n" +
+         ros_matrix("distortion_coefficients", 1, count, d) +
          ros_matrix("rectification_matrix", 3, 3, list(r.data(), 9)) +
          ros_matrix("projection_matrix", 3, 4, list(p.data(), 12));
 }

@@ -19,7 +19,8 @@ bool parse_number(std::string_view text, T& value) {
 Result<MarkerSizes> MarkerSizes::parse(std::span<const std::string> texts) {
   MarkerSizes sizes;
   for (const std::string& text : texts) {
-    const Error wrong{"'" + text + "' is not a marker size: SIZE, ID=SIZE, FIRST-LAST=SIZE, DICTIONARY:ID=SIZE"};
+    const Error wrong{"'" + text +
+                      "' is not a marker size: SIZE, ID=SIZE, FIRST-LAST=SIZE, DICTIONARY:ID=SIZE"};
     std::string_view rest = text;
     std::string dictionary;
     int first = 0;

@@ -129,8 +129,15 @@ std::optional<RefinedPose> refine_pose(const Observation& seen, const Camera& ca
     damping = std::max(damping / 10, 1e-12);
     if (gain < 1e-10 * (here->chi2 + 1e-6)) break;
   }
-  const std::optional<PoseCovariance> covariance = covariance_of(here->information);
+  std::optional<PoseCovariance> covariance = covariance_of(here->information);
   if (!covariance) return {};
+  // Many corners tell when the camera or the object is not as described: then less is known than they promise.
+  constexpr double enough = 10;
+  const double freedom = 2.0 * static_cast<double>(seen.image.size()) - 6;
+  if (freedom >= enough) {
+    const double factor = std::max(1.0, here->chi2 / freedom);
+    for (double& c : *covariance) c *= factor;
+  }
   const double error = std::sqrt(here->square_error / static_cast<double>(seen.image.size()));
   return RefinedPose{{pose, error, *covariance}, here->chi2};
 }

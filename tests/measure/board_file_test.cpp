@@ -8,7 +8,8 @@ namespace {
 TEST(BoardFile, DescriptionsAndJsonMakeTheSameBoards) {
   const auto described = load_board("charuco:DICT_5X5_100:5x8:0.03:0.02:legacy");
   ASSERT_TRUE(described) << described.error();
-  const auto written = parse_board(R"({"type": "charuco", "dictionary": "DICT_5X5_100", "columns": 5, "rows": 8,
+  const auto written =
+      parse_board(R"({"type": "charuco", "dictionary": "DICT_5X5_100", "columns": 5, "rows": 8,
                                        "square": 0.03, "marker": 0.02, "legacy": true})");
   ASSERT_TRUE(written) << written.error();
   ASSERT_EQ(described->markers.size(), written->markers.size());
@@ -46,9 +47,11 @@ TEST(BoardFile, TellsWhatIsWrong) {
             std::string::npos);
   EXPECT_NE(json(R"({"markers": [{"id": 1, "corners": [[0,0,0],[1,0,0],[0,1,0],[1,1,0]]}]})").find("square"),
             std::string::npos);
-  EXPECT_NE(json(R"({"markers": [{"id": 1, "size": 1, "centre": [0,0,0]}, {"id": 1, "size": 1, "centre": [2,0,0]}]})")
-                .find("id 1 is there twice"),
-            std::string::npos);
+  EXPECT_NE(
+      json(
+          R"({"markers": [{"id": 1, "size": 1, "centre": [0,0,0]}, {"id": 1, "size": 1, "centre": [2,0,0]}]})")
+          .find("id 1 is there twice"),
+      std::string::npos);
   EXPECT_NE(load_board("charuco:DICT_4X4_50:5:1:2").error().find("COLUMNSxROWS"), std::string::npos);
   EXPECT_NE(load_board("charuco:DICT_4X4_50:5x7:a:2").error().find("'a' is not a length"), std::string::npos);
   EXPECT_NE(load_board("circle").error().find("a board is a .json file"), std::string::npos);

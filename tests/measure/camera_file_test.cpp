@@ -32,7 +32,8 @@ TEST(CameraFile, ReadsWhatItWrites) {
 
 TEST(CameraFile, OpenCvReadsWhatIsWrittenForIt) {
   for (const Camera& camera : test::cameras()) {
-    const cv::FileStorage file(camera_text(camera, CameraFormat::opencv, 1), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    const cv::FileStorage file(camera_text(camera, CameraFormat::opencv, 1),
+                               cv::FileStorage::READ | cv::FileStorage::MEMORY);
     cv::Mat k;
     cv::Mat d;
     file["camera_matrix"] >> k;
@@ -40,7 +41,8 @@ TEST(CameraFile, OpenCvReadsWhatIsWrittenForIt) {
     ASSERT_EQ(k.type(), CV_64F);
     EXPECT_EQ(k.at<double>(0, 0), camera.fx);
     EXPECT_EQ(k.at<double>(1, 2), camera.cy);
-    for (int i = 0; i < d.cols; ++i) EXPECT_EQ(d.at<double>(0, i), camera.distortion[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < d.cols; ++i)
+      EXPECT_EQ(d.at<double>(0, i), camera.distortion[static_cast<std::size_t>(i)]);
     EXPECT_EQ(static_cast<int>(file["image_width"]), camera.width);
   }
 }
@@ -64,7 +66,8 @@ TEST(CameraFile, ReadsRosFilesAndPrintedMessages) {
   expect_same(*file, {640, 480, 430.2, 430.5, 306.7, 227.2, Lens::plain, {-0.33, 0.11, 0.0001, -0.0003, 0}});
   const auto message = parse_camera(
       "header:\n  frame_id: camera\nheight: 480\nwidth: 640\ndistortion_model: equidistant\n"
-      "d:\n- -0.01\n- 0.02\n- 0.0\n- 0.0\nk:\n- 285.0\n- 0.0\n- 319.5\n- 0.0\n- 286.0\n- 239.5\n- 0.0\n- 0.0\n- 1.0\n");
+      "d:\n- -0.01\n- 0.02\n- 0.0\n- 0.0\nk:\n- 285.0\n- 0.0\n- 319.5\n- 0.0\n- 286.0\n- 239.5\n- 0.0\n- "
+      "0.0\n- 1.0\n");
   ASSERT_TRUE(message) << message.error();
   EXPECT_EQ(message->lens, Lens::fisheye);
   expect_same(*message, {640, 480, 285, 286, 319.5, 239.5, Lens::fisheye, {-0.01, 0.02}});
@@ -79,7 +82,8 @@ TEST(CameraFile, TellsWhatIsWrong) {
   EXPECT_NE(error("K: [1, 0, 2, 0, x, 2, 0, 0, 1]").find("not a number"), std::string::npos);
   EXPECT_NE(error("K: [1, 0.1, 2, 0, 1, 2, 0, 0, 1]").find("[fx 0 cx"), std::string::npos);
   EXPECT_NE(error("K: [0, 0, 2, 0, 1, 2, 0, 0, 1]").find("focal lengths"), std::string::npos);
-  EXPECT_NE(error("K: [1, 0, 2, 0, 1, 2, 0, 0, 1]\ndistortion_model: magic").find("'magic'"), std::string::npos);
+  EXPECT_NE(error("K: [1, 0, 2, 0, 1, 2, 0, 0, 1]\ndistortion_model: magic").find("'magic'"),
+            std::string::npos);
   EXPECT_NE(error("K: [1, 0, 2, 0, 1, 2, 0, 0, 1]\nD: [1, 1, 1, 1, 1, 1]\ndistortion_model: plumb_bob")
                 .find("6 distortion coefficients, but its model has 5"),
             std::string::npos);

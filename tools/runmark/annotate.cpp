@@ -103,4 +103,22 @@ cv::Mat annotate(const cv::Mat& picture, std::span<const Marker> markers) {
   return result;
 }
 
+void draw_axes(cv::Mat& picture, const AxesPicture& axes) {
+  const std::array colours{cv::Scalar(60, 60, 255), cv::Scalar(60, 200, 60), cv::Scalar(255, 120, 40)};
+  const double unit = std::max(1.0, std::min(picture.cols, picture.rows) / 600.0);
+  const int width = static_cast<int>(std::lround(2 * unit));
+  // Far outside the picture fixed-point places would run over.
+  const auto drawable = [&](Point p) {
+    const double most = 4.0 * (picture.cols + picture.rows);
+    return std::fabs(p.x) < most && std::fabs(p.y) < most;
+  };
+  for (std::size_t i = colours.size(); i > 0; --i) {
+    if (!drawable(axes[0]) || !drawable(axes[i])) continue;
+    const cv::Point from = fixed_point(axes[0].x, axes[0].y);
+    const cv::Point to = fixed_point(axes[i].x, axes[i].y);
+    cv::line(picture, from, to, rim_colour, width + 2, cv::LINE_AA, fraction_bits);
+    cv::line(picture, from, to, colours[i - 1], width, cv::LINE_AA, fraction_bits);
+  }
+}
+
 }  // namespace runmark::cli

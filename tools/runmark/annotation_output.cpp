@@ -89,8 +89,10 @@ void AnnotationOutput::begin(const Input& input, double rate) {
   video_frames_ = 0;
 }
 
-void AnnotationOutput::write(const Frame& frame, std::span<const Marker> markers) {
-  const cv::Mat picture = annotate(frame.pixels, markers);
+void AnnotationOutput::write(const Frame& frame, std::span<const Marker> markers,
+                             std::span<const AxesPicture> axes) {
+  cv::Mat picture = annotate(frame.pixels, markers);
+  for (const AxesPicture& a : axes) draw_axes(picture, a);
   if (!frame.still) return write_video_frame(with_even_sides(picture));
   std::vector<std::uint8_t> bytes;
   try {

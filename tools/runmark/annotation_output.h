@@ -9,6 +9,7 @@
 
 #include "frame.h"
 #include "input.h"
+#include "pose_finder.h"
 #include "runmark/marker.h"
 
 namespace runmark::cli {
@@ -22,7 +23,7 @@ class AnnotationOutput {
 
   /// The next input begins. `rate` is that of a video's frames.
   void begin(const Input& input, double rate);
-  void write(const Frame& frame, std::span<const Marker> markers);
+  void write(const Frame& frame, std::span<const Marker> markers, std::span<const AxesPicture> axes);
   /// Closes the input's video and sees that all of it is there.
   void end();
 

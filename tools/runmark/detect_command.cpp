@@ -15,6 +15,7 @@ void add_detect_command(CLI::App& app) {
   const auto settings = std::make_shared<DetectSettings>();
   command->add_option("INPUT", settings->inputs, input_help)->required()->type_name("");
   add_detector_options(*command, settings->detector);
+  add_pose_options(*command, settings->poses);
   CLI::Option* format =
       command->add_option("-f,--format", settings->format, "How markers are printed (text)");
   format->check(CLI::IsMember({"text", "jsonl", "csv"}).description(""))->type_name("text|jsonl|csv");
@@ -46,6 +47,9 @@ void add_detect_command(CLI::App& app) {
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
   command->footer(
+      "A pose takes points of the marker's or board's frame (x to the right, y down, z into the sheet) to "
+      "the\n"
+      "camera's (x to the right, y down, z forwards), in the unit of the sizes given.\n"
       "Pixels are taken as stored: an EXIF or video rotation is not applied. The centre of the top-left\n"
       "pixel is (0, 0); corners run from the marker's top-left clockwise.\n"
       "Exit status: 0, also when nothing was found; 2 when something went wrong; 130 after Ctrl-C.");
@@ -53,6 +57,8 @@ void add_detect_command(CLI::App& app) {
     if (settings->resume && format->count() == 0) settings->format = "jsonl";
     if (settings->resume && settings->format != "jsonl") throw UserError("--resume goes with jsonl only");
     if (settings->stats && settings->format == "csv") throw UserError("--stats has no place in csv");
+    if (!settings->poses.board.empty() && settings->format == "csv")
+      throw UserError("--board has no place in csv");
     catch_interrupts();
     DetectRun(*settings).run();
   });

@@ -28,6 +28,11 @@ std::vector<FittingDetector> make_detectors(std::size_t count, const DetectorSet
   return detectors;
 }
 
+DetectSettings with_dictionaries(DetectSettings settings, const PoseFinder& poses) {
+  poses.add_dictionaries(settings.detector);
+  return settings;
+}
+
 /// The output may be none of the inputs, as in `-o a.png`.
 OutputFile open_output(const DetectSettings& settings, const std::vector<Input>& inputs, std::uint64_t kept) {
   for (const Input& input : inputs) {
@@ -53,20 +58,21 @@ void pass_over(FrameSource& source, const Input& input, std::int64_t frames) {
 
 }  // namespace
 
-DetectRun::DetectRun(const DetectSettings& settings)
-    : settings_(settings),
-      inputs_(find_inputs(settings.inputs)),
-      earlier_(settings.resume ? read_earlier_run(settings.output, inputs_)
-                               : EarlierRun{0, std::vector<EarlierFrames>(inputs_.size())}),
-      detectors_(make_detectors(workers_for(inputs_, settings.jobs), settings.detector)),
-      format_(make_marker_format(settings.format)),
-      output_(open_output(settings, inputs_, earlier_.bytes)),
+DetectRun::DetectRun(DetectSettings settings)
+    : poses_(settings.poses),
+      settings_(with_dictionaries(std::move(settings), poses_)),
+      inputs_(find_inputs(settings_.inputs)),
+      earlier_(settings_.resume ? read_earlier_run(settings_.output, inputs_)
+                                : EarlierRun{0, std::vector<EarlierFrames>(inputs_.size())}),
+      detectors_(make_detectors(workers_for(inputs_, settings_.jobs), settings_.detector)),
+      format_(make_marker_format(settings_.format, poses_.has_poses())),
+      output_(open_output(settings_, inputs_, earlier_.bytes)),
       broken_(inputs_.size()) {
-  if (settings.annotate.empty()) return;
-  if (settings.resume && std::ranges::any_of(inputs_, &Input::moving)) {
+  if (settings_.annotate.empty()) return;
+  if (settings_.resume && std::ranges::any_of(inputs_, &Input::moving)) {
     throw UserError("--resume: a video cannot be annotated by two runs");
   }
-  annotations_.emplace(settings.annotate, inputs_);
+  annotations_.emplace(settings_.annotate, inputs_);
 }
 
 void DetectRun::run() {
@@ -86,6 +92,7 @@ void DetectRun::run() {
   }
   output_.close();
   progress_.clear();
+  if (!advice_.empty()) errors_.push_back(advice_);
   for (const std::string& error : errors_) print_error(error);
   if (interrupted()) throw ExitStatus{exit_interrupted};
   if (!errors_.empty()) throw ExitStatus{exit_failure};
@@ -156,7 +163,9 @@ void DetectRun::detect(FittingDetector& detector, Step& step) const {
   const Detection found = detector.detect(*step.frame);
   const std::chrono::duration<double, std::milli> time = Clock::now() - start;
   const FrameReport report{detector.stats(), time.count()};
-  step.lines = format_->frame(*step.frame, found.markers, settings_.stats ? &report : nullptr);
+  if (!poses_.is_idle()) step.poses = poses_.find(*step.frame, found.markers);
+  step.lines = format_->frame(*step.frame, found.markers, poses_.is_idle() ? nullptr : &step.poses,
+                              settings_.stats ? &report : nullptr);
   if (annotations_) {
     step.markers.assign(found.begin(), found.end());
   } else {
@@ -182,8 +191,9 @@ void DetectRun::put(Step& step) {
 void DetectRun::put_frame(const Step& step) {
   if (output_.is_terminal()) progress_.clear();
   // The picture first: a frame whose line is there counts as done.
-  if (annotations_) annotations_->write(*step.frame, step.markers);
+  if (annotations_) annotations_->write(*step.frame, step.markers, step.poses.axes);
   output_.write(step.lines);
+  if (advice_.empty() && !step.poses.advice.empty()) advice_ = step.frame->source + ": " + step.poses.advice;
   show_progress(step);
 }
 

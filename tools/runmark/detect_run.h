@@ -16,6 +16,7 @@
 #include "input.h"
 #include "marker_format.h"
 #include "output_file.h"
+#include "pose_finder.h"
 #include "progress.h"
 
 namespace runmark::cli {
@@ -23,6 +24,7 @@ namespace runmark::cli {
 struct DetectSettings {
   std::vector<std::string> inputs;
   DetectorSettings detector;
+  PoseSettings poses;
   std::string format = "text";
   std::string output;
   bool resume = false;  ///< go on with what an earlier run wrote to `output`
@@ -37,7 +39,7 @@ struct DetectSettings {
 class DetectRun {
  public:
   /// Throws UserError, as does `run`; ExitStatus when the run ends with one after all has been said.
-  explicit DetectRun(const DetectSettings& settings);
+  explicit DetectRun(DetectSettings settings);
   void run();
 
  private:
@@ -51,6 +53,7 @@ class DetectRun {
     std::optional<std::int64_t> count;  ///< frames of the input, where known
     std::exception_ptr error;           ///< what came instead of the frame
     std::vector<Marker> markers;
+    FramePoses poses;
     std::string lines;
   };
   using Push = std::function<bool(Step)>;  ///< false when no more is wanted
@@ -65,7 +68,8 @@ class DetectRun {
   /// Whether no frame after what went wrong at `input` is wanted.
   [[nodiscard]] bool unwanted(std::size_t input) const;
 
-  const DetectSettings& settings_;
+  PoseFinder poses_;
+  DetectSettings settings_;
   std::vector<Input> inputs_;
   EarlierRun earlier_;
   std::vector<FittingDetector> detectors_;  // a worker each
@@ -74,6 +78,7 @@ class DetectRun {
   std::optional<AnnotationOutput> annotations_;
   Progress progress_;
   std::int64_t frames_ = 0;
+  std::string advice_;  // about the board, of the first frame that has some
   std::vector<std::string> errors_;
   std::atomic<std::size_t> broken_;  // the last input that broke; inputs_.size() before any did
 };

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "pose_json.h"
+
 namespace runmark::cli {
 namespace {
 
@@ -26,12 +28,16 @@ double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 class TextFormat : public MarkerFormat {
  public:
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
-                                  const FrameReport* report) const override {
+                                  const FramePoses* poses, const FrameReport* report) const override {
     const std::string count = markers.size() == 1 ? "1 marker" : std::to_string(markers.size()) + " markers";
     std::string text = frame.source;
     if (!frame.still) text += format(", frame %lld", static_cast<long long>(frame.index));
     text += format(", %d x %d: ", frame.pixels.cols, frame.pixels.rows) + count + '\n';
-    for (const Marker& marker : markers) text += line(marker);
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+      text += line(markers[i]);
+      if (poses != nullptr && poses->markers[i]) text += line(*poses->markers[i]);
+    }
+    if (poses != nullptr && poses->has_board) text += board_line(*poses);
     if (report != nullptr) text += line(*report);
     return text;
   }
@@ -43,6 +49,24 @@ class TextFormat : public MarkerFormat {
     for (const Point& corner : marker.corners) text += format(" (%8.3f, %8.3f)", corner.x, corner.y);
     return text + format("  hamming %d  margin %.3f%s\n", marker.hamming, static_cast<double>(marker.margin),
                          marker.inverted ? "  inverted" : "");
+  }
+
+  static std::string line(const PoseEstimate& estimate) {
+    const PoseSolution& best = estimate.best;
+    const Point3& t = best.pose.translation;
+    const Point3 r = rotation_vector(best.pose);
+    const auto deviation = [&](std::size_t i) { return std::sqrt(best.covariance[7 * i]); };
+    return format(
+               "    at (%.6g, %.6g, %.6g) +- (%.2g, %.2g, %.2g), rotation vector (%.4f, %.4f, %.4f), error "
+               "%.3f px",
+               t.x, t.y, t.z, deviation(0), deviation(1), deviation(2), r.x, r.y, r.z, best.error) +
+           format(", ambiguity %.2f\n", estimate.ambiguity);
+  }
+
+  static std::string board_line(const FramePoses& poses) {
+    return format("  board: %zu markers, %zu chessboard corners\n", poses.board.markers.size(),
+                  poses.board.corners.size()) +
+           (poses.board_pose ? line(*poses.board_pose) : "");
   }
 
   static std::string line(const FrameReport& report) {
@@ -59,13 +83,18 @@ class TextFormat : public MarkerFormat {
 class JsonLinesFormat : public MarkerFormat {
  public:
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
-                                  const FrameReport* report) const override {
+                                  const FramePoses* poses, const FrameReport* report) const override {
     Json line{{"source", frame.source},
               {"frame", frame.index},
               {"width", frame.pixels.cols},
               {"height", frame.pixels.rows},
               {"markers", Json::array()}};
-    for (const Marker& marker : markers) line["markers"].push_back(to_json(marker));
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+      line["markers"].push_back(to_json(markers[i]));
+      if (poses != nullptr && poses->markers[i])
+        line["markers"].back()["pose"] = cli::to_json(*poses->markers[i]);
+    }
+    if (poses != nullptr && poses->has_board) line["board"] = board_json(*poses);
     if (report != nullptr) {
       line["stats"] = to_json(report->stats);
       line["ms"] = rounded(report->milliseconds);
@@ -104,39 +133,56 @@ class JsonLinesFormat : public MarkerFormat {
 /// One row a marker, as RFC 4180 has it but for the line ends.
 class CsvFormat : public MarkerFormat {
  public:
+  explicit CsvFormat(bool with_poses) : with_poses_(with_poses) {}
+
   [[nodiscard]] std::string header() const override {
-    return "source,frame,width,height,dictionary,id,x0,y0,x1,y1,x2,y2,x3,y3,hamming,margin,inverted\n";
+    return std::string(
+               "source,frame,width,height,dictionary,id,x0,y0,x1,y1,x2,y2,x3,y3,hamming,margin,inverted") +
+           (with_poses_ ? ",tx,ty,tz,qx,qy,qz,qw,error,ambiguity\n" : "\n");
   }
 
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
-                                  const FrameReport* /*report*/) const override {
+                                  const FramePoses* poses, const FrameReport* /*report*/) const override {
     const std::string start =
         quoted(frame.source) +
         format(",%lld,%d,%d,", static_cast<long long>(frame.index), frame.pixels.cols, frame.pixels.rows);
     std::string text;
-    for (const Marker& marker : markers) {
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+      const Marker& marker = markers[i];
       text += start + quoted(std::string(marker.dictionary)) + format(",%d", marker.id);
       for (const Point& corner : marker.corners) text += format(",%.3f,%.3f", corner.x, corner.y);
-      text += format(",%d,%.3f,%d\n", marker.hamming, static_cast<double>(marker.margin),
-                     marker.inverted ? 1 : 0);
+      text +=
+          format(",%d,%.3f,%d", marker.hamming, static_cast<double>(marker.margin), marker.inverted ? 1 : 0);
+      if (with_poses_)
+        text += poses != nullptr && poses->markers[i] ? fields(*poses->markers[i]) : ",,,,,,,,,";
+      text += '\n';
     }
     return text;
   }
 
  private:
+  static std::string fields(const PoseEstimate& estimate) {
+    const Point3& t = estimate.best.pose.translation;
+    const auto [x, y, z, w] = quaternion(estimate.best.pose);
+    return format(",%.8g,%.8g,%.8g,%.7f,%.7f,%.7f,%.7f,%.3f,%.4f", t.x, t.y, t.z, x, y, z, w,
+                  estimate.best.error, estimate.ambiguity);
+  }
+
   static std::string quoted(const std::string& field) {
     if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
     std::string text = "\"";
     for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
     return text + '"';
   }
+
+  bool with_poses_;
 };
 
 }  // namespace
 
-std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name) {
+std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name, bool with_poses) {
   if (name == "jsonl") return std::make_unique<JsonLinesFormat>();
-  if (name == "csv") return std::make_unique<CsvFormat>();
+  if (name == "csv") return std::make_unique<CsvFormat>(with_poses);
   return std::make_unique<TextFormat>();
 }
 

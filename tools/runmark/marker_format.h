@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "frame.h"
+#include "pose_finder.h"
 #include "runmark/detector.h"
 
 namespace runmark::cli {
@@ -27,12 +28,13 @@ class MarkerFormat {
   /// What goes before the first frame.
   [[nodiscard]] virtual std::string header() const { return {}; }
 
-  /// `report` is null without --stats.
+  /// `poses` is null without a camera and a board, `report` without --stats.
   [[nodiscard]] virtual std::string frame(const Frame& frame, std::span<const Marker> markers,
-                                          const FrameReport* report) const = 0;
+                                          const FramePoses* poses, const FrameReport* report) const = 0;
 };
 
 /// `name` is text, jsonl or csv.
-[[nodiscard]] std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name);
+/// @param with_poses  csv: columns for the markers' poses
+[[nodiscard]] std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name, bool with_poses);
 
 }  // namespace runmark::cli
