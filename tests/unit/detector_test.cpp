@@ -354,6 +354,20 @@ TEST(Detector, RejectedSquaresByOption) {
   }
 }
 
+TEST(Detector, SizesBeyondAnyFrameAreNoSizes) {
+  for (const Pipeline pipeline : {Pipeline::standard, Pipeline::paper, Pipeline::hardware}) {
+    Options options;
+    options.pipeline = pipeline;
+    options.max_width = options.max_height = 64;
+    options.min_marker_size = 1e12;
+    options.max_marker_size = 1e300;
+    auto detector = Detector::create(options, {*builtin_dictionary("DICT_6X6_50")});
+    ASSERT_TRUE(detector) << detector.error();
+    const std::vector<std::uint8_t> grey(64 * 64, 20);
+    EXPECT_EQ(detector->detect(ImageView::grey(grey.data(), 64, 64, 64)).markers.size(), 0U);
+  }
+}
+
 TEST(Detector, SizesOutsideTheLimitsAreNotReported) {
   const Dictionary d = dictionary("DICT_6X6_50");
   test::Picture picture(300, 240, 128);

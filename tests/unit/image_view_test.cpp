@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 namespace runmark {
 namespace {
@@ -28,6 +29,11 @@ TEST(ImageView, RefusesWhatContradictsItself) {
   EXPECT_EQ(ImageView::rgb(pixels.data(), 2, 2, 6, -2).check(), Status::bad_view);
   EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 1, 7).check(), Status::bad_view);
   EXPECT_EQ(ImageView::grey(pixels.data(), 8, 8, 0).check(), Status::bad_view);
+  constexpr int least = std::numeric_limits<int>::min();
+  constexpr std::ptrdiff_t least_stride = std::numeric_limits<std::ptrdiff_t>::min();
+  EXPECT_EQ(ImageView::grey(pixels.data(), 2, 2, 1, least).check(), Status::ok) << "transposed and mirrored";
+  EXPECT_EQ(ImageView::grey(pixels.data(), 2, 2, 0, least).check(), Status::bad_view);
+  EXPECT_EQ(ImageView::grey(pixels.data(), 65535, 65535, least_stride, least).check(), Status::ok);
 }
 
 }  // namespace
