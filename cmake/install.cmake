@@ -50,7 +50,7 @@ if(RUNMARK_TOOLS)
     COMMAND ${CMAKE_COMMAND} -DRUNMARK=$<TARGET_FILE:runmark_cli> -DPROJECT_VERSION=${PROJECT_VERSION}
             -DINPUT=${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in -DOUTPUT=${man_page}
             -P ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
-    DEPENDS runmark_cli ${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
+    DEPENDS runmark_cli runmark_view ${PROJECT_SOURCE_DIR}/docs/man/runmark.1.in ${PROJECT_SOURCE_DIR}/cmake/man_page.cmake
     VERBATIM)
   add_custom_target(man_page ALL DEPENDS ${man_page})
   install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

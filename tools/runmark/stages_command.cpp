@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "detector_settings.h"
 #include "errors.h"
 #include "image_source.h"
 #include "output_file.h"
+#include "png_file.h"
 #include "stage_pictures.h"
 
 namespace runmark::cli {
@@ -22,12 +22,6 @@ struct StagesSettings {
   std::string folder;
   DetectorSettings detector;
 };
-
-void write_png(const fs::path& path, const cv::Mat& picture) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", picture, bytes);
-  write_file(path.string(), std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
 
 void run_stages(const StagesSettings& settings) {
   const std::vector<Dictionary> dictionaries = load_dictionaries(settings.detector);
@@ -44,7 +38,7 @@ void run_stages(const StagesSettings& settings) {
     if (fs::equivalent(path, settings.image, error)) {
       throw UserError(path.string() + ": the picture would replace the input");
     }
-    write_png(path, picture);
+    write_png(path.string(), picture);
     output.write(path.string() + ": " + caption + '\n');
   };
   const std::vector<StagePicture> pictures = draw_stages(trace);
