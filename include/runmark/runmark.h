@@ -41,7 +41,9 @@ typedef enum runmark_status {
   RUNMARK_BAD_DICTIONARY = 5,  /* no such dictionary, or one that cannot be read or used */
   RUNMARK_BAD_OPTIONS = 6,     /* an option out of its range, or options of another ABI version */
   RUNMARK_OUT_OF_MEMORY = 7,
-  RUNMARK_FAILED = 8 /* none of the above; the message says what */
+  RUNMARK_NO_POSE = 8,     /* no pose explains the corners, or too little of a board is seen */
+  RUNMARK_UNAVAILABLE = 9, /* the library was built without poses, which need OpenCV */
+  RUNMARK_FAILED = 10      /* none of the above; the message says what */
 } runmark_status;
 
 /* One line for a person, for any status; static storage. */
@@ -114,6 +116,7 @@ typedef struct runmark_options {
   int32_t min_contrast;   /* grey levels */
   int32_t octaves;        /* how often the rows are halved to find large and blurred markers */
   int32_t copy_rows;      /* 1: rows given to runmark_push_rows need not outlive the call */
+  int32_t keep_rejected;  /* 1: keep the squares that turned out to be no marker */
   int32_t filter;         /* bits, or RUNMARK_FILTER_DEFAULT */
   runmark_connectivity connectivity;
   int32_t fixed_threshold; /* paper pipeline: grey levels below it are dark */
@@ -200,6 +203,12 @@ RUNMARK_EXPORT size_t runmark_marker_count(const runmark_detector* detector);
 RUNMARK_EXPORT runmark_status runmark_get_marker(const runmark_detector* detector, size_t index,
                                                  runmark_marker* marker);
 
+/* The squares in which no marker was read: x, y of their corners in pixels, clockwise. None without the
+ * option keep_rejected; complete when the frame is. */
+RUNMARK_EXPORT size_t runmark_rejected_count(const runmark_detector* detector);
+RUNMARK_EXPORT runmark_status runmark_get_rejected(const runmark_detector* detector, size_t index,
+                                                   double corners[4][2]);
+
 /* Counts of one frame: the work that was done, and what a full capacity made the detector drop. */
 typedef struct runmark_stats {
   uint64_t pixels;
@@ -212,6 +221,69 @@ typedef struct runmark_stats {
 } runmark_stats;
 
 RUNMARK_EXPORT runmark_status runmark_get_stats(const runmark_detector* detector, runmark_stats* stats);
+
+/* ---- Poses: RUNMARK_UNAVAILABLE in a library that was built without OpenCV ------------------------- */
+
+typedef enum runmark_lens {
+  RUNMARK_LENS_PLAIN = 0,    /* k1 k2 p1 p2 k3 */
+  RUNMARK_LENS_RATIONAL = 1, /* k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 */
+  RUNMARK_LENS_FISHEYE = 2   /* k1 k2 k3 k4 */
+} runmark_lens;
+
+/* A calibrated camera, as OpenCV and ROS describe it. Its frame: x right, y down, z forwards. */
+typedef struct runmark_camera {
+  int32_t width; /* of the pictures it was calibrated with; 0 when not known */
+  int32_t height;
+  double fx; /* focal lengths, pixels */
+  double fy;
+  double cx; /* where the optical axis meets the picture, pixels */
+  double cy;
+  runmark_lens lens;
+  double distortion[12]; /* in the order above, then 0 */
+} runmark_camera;
+
+/* Reads a camera file of OpenCV or of ROS (YAML). */
+RUNMARK_EXPORT runmark_status runmark_camera_load(const char* path, runmark_camera* camera,
+                                                  runmark_error* error);
+
+/* Takes points of an object's frame to the camera's. A marker's frame has its origin in the marker's middle,
+ * x along its upper side to the right, y down, z into the sheet. */
+typedef struct runmark_pose {
+  double rotation[9];    /* row-major */
+  double translation[3]; /* in the unit of the marker's size */
+  double error;          /* rms distance of the projected corners from those seen, pixels */
+  /* 6x6, row-major: the translation's x, y, z, then the rotation about the camera's x, y, z axes in radians
+   */
+  double covariance[36];
+} runmark_pose;
+
+/* The corners of something flat often allow two poses that explain them almost alike. */
+typedef struct runmark_pose_estimate {
+  runmark_pose best;
+  runmark_pose other;
+  int32_t has_other;
+  double ambiguity; /* near 0: best is right; near 1: either may be */
+} runmark_pose_estimate;
+
+/* The pose of a marker whose side is `size` long. `image` is the frame it was found in and says how sure its
+ * corners are; it may be NULL. */
+RUNMARK_EXPORT runmark_status runmark_marker_pose(const runmark_marker* marker, double size,
+                                                  const runmark_camera* camera, const runmark_image* image,
+                                                  runmark_pose_estimate* estimate, runmark_error* error);
+
+/* Markers whose places are known relative to each other. */
+typedef struct runmark_board runmark_board;
+
+/* charuco:DICTIONARY:COLUMNSxROWS:SQUARE:MARKER[:legacy][:turned], grid:DICTIONARY:COLUMNSxROWS:MARKER:GAP,
+ * or the path of a .json file; docs/boards.md describes them. */
+RUNMARK_EXPORT runmark_status runmark_board_load(const char* description_or_path, runmark_board** board,
+                                                 runmark_error* error);
+RUNMARK_EXPORT void runmark_board_free(runmark_board* board);
+
+/* The pose of a board from the markers of the detector's last frame, which is `image`. */
+RUNMARK_EXPORT runmark_status runmark_board_pose(const runmark_board* board, const runmark_detector* detector,
+                                                 const runmark_image* image, const runmark_camera* camera,
+                                                 runmark_pose_estimate* estimate, runmark_error* error);
 
 #ifdef __cplusplus
 }

@@ -1,16 +1,10 @@
-#include "runmark/detector.h"
-
-#include <array>
 #include <optional>
 #include <vector>
 
-#include "c_api/dictionary_handle.h"
 #include "c_api/guard.h"
+#include "c_api/handles.h"
+#include "c_api/image.h"
 #include "c_api/options.h"
-
-struct runmark_detector {
-  runmark::Detector value;
-};
 
 namespace {
 
@@ -34,11 +28,16 @@ runmark_status to_c(Status status) {
 /// Runs a call of the detector's on an image; a format there is not is a bad view.
 template <class Call>
 runmark_status with_image(runmark_detector* detector, const runmark_image* image, const Call& call) {
-  constexpr std::array formats{PixelFormat::grey, PixelFormat::rgb, PixelFormat::bgr};
   if (detector == nullptr || image == nullptr) return RUNMARK_BAD_ARGUMENT;
-  if (image->format >= formats.size()) return RUNMARK_BAD_VIEW;
-  return to_c(call(detector->value, ImageView{image->data, image->width, image->height, image->stride,
-                                              image->step, formats[image->format]}));
+  const auto view = to_view(*image);
+  return view ? to_c(call(detector->value, *view)) : RUNMARK_BAD_VIEW;
+}
+
+void put(const std::array<Point, 4>& corners, double (*to)[2]) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    to[i][0] = corners[i].x;
+    to[i][1] = corners[i].y;
+  }
 }
 
 }  // namespace
@@ -99,13 +98,21 @@ runmark_status runmark_get_marker(const runmark_detector* detector, std::size_t 
   marker->dictionary = m.dictionary.data();  // all of a std::string, so it ends with a null
   marker->id = m.id;
   marker->hamming = m.hamming;
-  for (std::size_t i = 0; i < 4; ++i) {
-    marker->corners[i][0] = m.corners[i].x;
-    marker->corners[i][1] = m.corners[i].y;
-  }
+  put(m.corners, marker->corners);
   marker->margin = m.margin;
   marker->inverted = m.inverted ? 1 : 0;
   marker->row = m.row;
+  return RUNMARK_OK;
+}
+
+std::size_t runmark_rejected_count(const runmark_detector* detector) {
+  return detector == nullptr ? 0 : detector->value.rejected().size();
+}
+
+runmark_status runmark_get_rejected(const runmark_detector* detector, std::size_t index,
+                                    double corners[4][2]) {
+  if (corners == nullptr || index >= runmark_rejected_count(detector)) return RUNMARK_BAD_ARGUMENT;
+  put(detector->value.rejected()[index], corners);
   return RUNMARK_OK;
 }
 

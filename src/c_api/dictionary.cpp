@@ -1,5 +1,5 @@
-#include "c_api/dictionary_handle.h"
 #include "c_api/guard.h"
+#include "c_api/handles.h"
 
 namespace {
 

@@ -42,6 +42,7 @@ Result<Options> to_options(const runmark_options& c) {
   o.corner_offset = c.corner_offset;
   o.octaves = c.octaves;
   o.copy_rows = c.copy_rows != 0;
+  o.keep_rejected = c.keep_rejected != 0;
   return o;
 }
 

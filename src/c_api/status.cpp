@@ -26,6 +26,10 @@ const char* runmark_describe(runmark_status status) {
       return "an option is out of its range, or the options are of another ABI version";
     case RUNMARK_OUT_OF_MEMORY:
       return "out of memory";
+    case RUNMARK_NO_POSE:
+      return "no pose explains the corners, or too little of the board is seen";
+    case RUNMARK_UNAVAILABLE:
+      return "this library was built without poses";
     case RUNMARK_FAILED:
       break;
   }

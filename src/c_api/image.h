@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "runmark/image_view.h"
+#include "runmark/runmark.h"
+
+namespace runmark::c_api {
+
+/// Nothing for a format there is not.
+inline std::optional<ImageView> to_view(const runmark_image& image) {
+  constexpr std::array formats{PixelFormat::grey, PixelFormat::rgb, PixelFormat::bgr};
+  if (image.format >= formats.size()) return std::nullopt;
+  return ImageView{image.data, image.width, image.height, image.stride, image.step, formats[image.format]};
+}
+
+}  // namespace runmark::c_api
