@@ -1,4 +1,4 @@
-#include "dictionary/marker_grid.h"
+#include "runmark/marker_grid.h"
 
 #include <algorithm>
 

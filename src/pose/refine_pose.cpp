@@ -131,7 +131,8 @@ std::optional<RefinedPose> refine_pose(const Observation& seen, const Camera& ca
   }
   std::optional<PoseCovariance> covariance = covariance_of(here->information);
   if (!covariance) return {};
-  // Many corners tell when the camera or the object is not as described: then less is known than they promise.
+  // Many corners tell when the camera or the object is not as described: then less is known than they
+  // promise.
   constexpr double enough = 10;
   const double freedom = 2.0 * static_cast<double>(seen.image.size()) - 6;
   if (freedom >= enough) {

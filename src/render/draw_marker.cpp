@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dictionary/marker_grid.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark {
 

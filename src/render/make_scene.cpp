@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dictionary/marker_grid.h"
 #include "render/background.h"
 #include "render/draw_light.h"
 #include "render/maths.h"
 #include "render/placement.h"
 #include "render/recipe.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark::render {
 

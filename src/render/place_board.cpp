@@ -1,6 +1,6 @@
 #include "render/place_board.h"
 
-#include "dictionary/marker_grid.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark::render {
 namespace {

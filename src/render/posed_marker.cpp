@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "dictionary/marker_grid.h"
 #include "render/maths.h"
 #include "render/placement.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark::render {
 namespace {

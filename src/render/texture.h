@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "dictionary/marker_grid.h"
 #include "render/plane.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark::render {
 

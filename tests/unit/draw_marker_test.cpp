@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "dictionary/marker_grid.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark {
 namespace {

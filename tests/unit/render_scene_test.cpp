@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 
-#include "dictionary/marker_grid.h"
 #include "render/maths.h"
 #include "render/placement.h"
 #include "render/scene.h"
 #include "render/standard_sets.h"
 #include "render/truth_json.h"
 #include "runmark/dictionary.h"
+#include "runmark/marker_grid.h"
 
 namespace runmark::render {
 namespace {

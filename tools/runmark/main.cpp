@@ -2,6 +2,7 @@
 #include "dictionaries_command.h"
 #include "errors.h"
 #include "evaluate_command.h"
+#include "print_command.h"
 #include "program.h"
 #include "render_command.h"
 #include "runmark/version.h"
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   add_detect_command(app);
   add_dictionaries_command(app);
   add_evaluate_command(app);
+  add_print_command(app);
   add_render_command(app);
   add_stages_command(app);
   add_view_command(app);

@@ -18,11 +18,13 @@ double marker_side(const Board& board) {
 
 }  // namespace
 
-PoseFinder::PoseFinder(const PoseSettings& settings) : sizes_(value_or_throw(MarkerSizes::parse(settings.sizes))) {
+PoseFinder::PoseFinder(const PoseSettings& settings)
+    : sizes_(value_or_throw(MarkerSizes::parse(settings.sizes))) {
   if (!settings.camera.empty()) camera_ = value_or_throw(read_camera(settings.camera));
   if (!settings.board.empty()) board_ = value_or_throw(load_board(settings.board));
   if (!camera_ && !settings.sizes.empty()) throw UserError("--marker-size needs --camera-info");
-  if (camera_ && settings.sizes.empty() && !board_) throw UserError("--camera-info needs --marker-size or --board");
+  if (camera_ && settings.sizes.empty() && !board_)
+    throw UserError("--camera-info needs --marker-size or --board");
 }
 
 void PoseFinder::add_dictionaries(DetectorSettings& detector) const {

@@ -18,7 +18,8 @@ void add_pose_options(CLI::App& command, PoseSettings& settings);
 
 /// What to say about boards in a command's help.
 inline constexpr const char* board_help =
-    "A board: charuco:DICT:COLUMNSxROWS:SQUARE:MARKER[:legacy][:turned], grid:DICT:COLUMNSxROWS:MARKER:GAP, or a "
+    "A board: charuco:DICT:COLUMNSxROWS:SQUARE:MARKER[:legacy][:turned], grid:DICT:COLUMNSxROWS:MARKER:GAP, "
+    "or a "
     ".json file";
 
 }  // namespace runmark::cli

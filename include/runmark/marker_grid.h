@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runmark/dictionary.h"
+#include "runmark/export.h"
 
 namespace runmark {
 
@@ -25,6 +26,6 @@ struct MarkerGrid {
 
 /// The grid of marker `id`, which must be less than the number of codes. Cells that hold neither border
 /// nor data are black inside the square and white outside.
-[[nodiscard]] MarkerGrid marker_grid(const Dictionary& dictionary, std::size_t id);
+[[nodiscard]] RUNMARK_EXPORT MarkerGrid marker_grid(const Dictionary& dictionary, std::size_t id);
 
 }  // namespace runmark
