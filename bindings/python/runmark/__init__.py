@@ -9,25 +9,37 @@ runmark.aruco answers like OpenCV's aruco module.
 """
 
 from ._core import (
+    Board,
+    BoardView,
+    Camera,
     Detection,
     Detector,
     Dictionary,
     FrameStats,
     Marker,
+    Pose,
+    PoseEstimate,
     RowStream,
     __version__,
     dictionary_names,
+    pose,
     render,
 )
 
 __all__ = [
+    "Board",
+    "BoardView",
+    "Camera",
     "Detection",
     "Detector",
     "Dictionary",
     "FrameStats",
     "Marker",
+    "Pose",
+    "PoseEstimate",
     "RowStream",
     "__version__",
     "dictionary_names",
+    "pose",
     "render",
 ]

@@ -1,8 +1,11 @@
 #include <pybind11/pybind11.h>
 
+#include "board.h"
+#include "camera.h"
 #include "detection.h"
 #include "detector.h"
 #include "dictionary.h"
+#include "pose.h"
 #include "render.h"
 #include "row_stream.h"
 #include "runmark/version.h"
@@ -14,5 +17,8 @@ PYBIND11_MODULE(_core, module) {
   runmark::python::bind_detection(module);
   runmark::python::bind_row_stream(module);
   runmark::python::bind_detector(module);
+  runmark::python::bind_camera(module);
+  runmark::python::bind_pose(module);
+  runmark::python::bind_board(module);
   runmark::python::bind_render(module);
 }

@@ -33,3 +33,12 @@ def as_opencv(image: NDArray[np.uint8]) -> int:
 def drawn() -> NDArray[np.uint8]:
     picture: NDArray[np.uint8] = runmark.Dictionary("tag36h11").draw(3, pixels_per_cell=4)
     return picture
+
+
+def placed(image: NDArray[np.uint8]) -> float:
+    camera = runmark.Camera(600, 600, 320, 240, distortion=[-0.1, 0.02])
+    found = runmark.Detector("tag36h11").detect(image)
+    estimate: runmark.PoseEstimate = runmark.pose(found[0], 0.1, camera, image)
+    view = runmark.Board.grid("tag36h11", 3, 2, marker=0.1, gap=0.02).view(found, image)
+    other = estimate.other
+    return float(view.pose(camera).best.translation[2]) + (other.error if other else 0.0)
