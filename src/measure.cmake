@@ -2,7 +2,7 @@
 find_package(OpenCV REQUIRED COMPONENTS core calib3d)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
-file(GLOB measure_sources CONFIGURE_DEPENDS boards/*.cpp camera/*.cpp pose/*.cpp)
+file(GLOB measure_sources CONFIGURE_DEPENDS boards/*.cpp calibration/*.cpp camera/*.cpp pose/*.cpp)
 add_part(measure opencv_core opencv_calib3d yaml-cpp)
 target_link_libraries(runmark_measure_objects PRIVATE nlohmann_json::nlohmann_json)
 target_include_directories(runmark_measure_objects SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})

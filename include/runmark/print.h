@@ -38,14 +38,14 @@ struct PrintedPage {
   int number = 1;  ///< of the page in its file
 };
 
-/// Prints markers at true size: as many on a page as fit, row by row. `path` ends in .pdf, .svg or .png; where there
-/// are several pages, those of SVG and PNG become path-1, path-2 and so on.
+/// Prints markers at true size: as many on a page as fit, row by row. `path` ends in .pdf, .svg or .png;
+/// where there are several pages, those of SVG and PNG become path-1, path-2 and so on.
 /// @param size  side of the black square (of the detected square, for AprilTag 3's reversed families)
 /// Errors: an id the dictionary does not have, a marker larger than the paper, a file that cannot be written.
 [[nodiscard]] RUNMARK_EXPORT Result<std::vector<PrintedPage>> print_markers(const std::string& path,
                                                                             const Dictionary& dictionary,
-                                                                            std::span<const int> ids, double size,
-                                                                            const Paper& paper,
+                                                                            std::span<const int> ids,
+                                                                            double size, const Paper& paper,
                                                                             const PrintStyle& style);
 
 /// Prints a grid or a ChArUco board at true size on one page.

@@ -15,8 +15,8 @@ namespace {
 constexpr double points_per_mm = 72 / 25.4;
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size) {
-  static_cast<std::vector<unsigned char>*>(bytes)->insert(static_cast<std::vector<unsigned char>*>(bytes)->end(), data,
-                                                          data + size);
+  static_cast<std::vector<unsigned char>*>(bytes)->insert(
+      static_cast<std::vector<unsigned char>*>(bytes)->end(), data, data + size);
   return CAIRO_STATUS_SUCCESS;
 }
 
@@ -31,7 +31,8 @@ bool write_all(const std::string& path, const std::vector<unsigned char>& bytes)
 
 Result<Document> Document::create(const std::string& path, const Paper& paper, int dpi, int pages) {
   std::FILE* file = nullptr;
-  for (const auto& [ending, kind] : {std::pair{".pdf", Kind::pdf}, std::pair{".svg", Kind::svg}, std::pair{".png", Kind::png}}) {
+  for (const auto& [ending, kind] :
+       {std::pair{".pdf", Kind::pdf}, std::pair{".svg", Kind::svg}, std::pair{".png", Kind::png}}) {
     if (!path.ends_with(ending)) continue;
     Document document(kind, path, paper, dpi, pages);
     document.page_ = 1;
@@ -55,7 +56,8 @@ void Document::open() {
   const std::string path = path_of_page();
   switch (kind_) {
     case Kind::pdf:
-      surface_.reset(cairo_pdf_surface_create(path.c_str(), paper_.width * points_per_mm, paper_.height * points_per_mm));
+      surface_.reset(cairo_pdf_surface_create(path.c_str(), paper_.width * points_per_mm,
+                                              paper_.height * points_per_mm));
       break;
     case Kind::svg:
       // The numbers are taken as of the unit.
@@ -63,7 +65,8 @@ void Document::open() {
       cairo_svg_surface_set_document_unit(surface_.get(), CAIRO_SVG_UNIT_MM);
       break;
     case Kind::png:
-      surface_.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(paper_.width / 25.4 * dpi_)),
+      surface_.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                                static_cast<int>(std::lround(paper_.width / 25.4 * dpi_)),
                                                 static_cast<int>(std::lround(paper_.height / 25.4 * dpi_))));
   }
   context_.reset(cairo_create(surface_.get()));

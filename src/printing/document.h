@@ -10,11 +10,13 @@
 
 namespace runmark {
 
-/// The pages of a PDF, SVG or PNG file, drawn with cairo in millimetres from the top-left corner of the paper.
+/// The pages of a PDF, SVG or PNG file, drawn with cairo in millimetres from the top-left corner of the
+/// paper.
 class Document {
  public:
   /// Errors: a path that ends in none of the three, a folder that is not there.
-  [[nodiscard]] static Result<Document> create(const std::string& path, const Paper& paper, int dpi, int pages);
+  [[nodiscard]] static Result<Document> create(const std::string& path, const Paper& paper, int dpi,
+                                               int pages);
 
   /// Begins the next page, white.
   [[nodiscard]] cairo_t* begin_page();

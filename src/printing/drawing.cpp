@@ -22,8 +22,8 @@ void line(cairo_t* context, double x0, double y0, double x1, double y1) {
 
 }  // namespace
 
-void draw_cells(cairo_t* context, const Dictionary& dictionary, int id, double x, double y, double size, bool turned,
-                bool inverted) {
+void draw_cells(cairo_t* context, const Dictionary& dictionary, int id, double x, double y, double size,
+                bool turned, bool inverted) {
   const MarkerGrid grid = marker_grid(dictionary, static_cast<std::size_t>(id));
   const double cell = size / dictionary.width;
   const int last = dictionary.width - 1;
@@ -70,8 +70,8 @@ void draw_cut_marks(cairo_t* context, double x, double y, double width, double h
   cairo_stroke(context);
 }
 
-void draw_text(cairo_t* context, const std::string& text, double x, double base, double height, double most_width,
-               Align align) {
+void draw_text(cairo_t* context, const std::string& text, double x, double base, double height,
+               double most_width, Align align) {
   cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(context, height);
   cairo_text_extents_t extents;
@@ -94,10 +94,11 @@ void draw_ruler(cairo_t* context, const Paper& paper) {
   set_ink(context, true);
   cairo_set_line_width(context, hairline);
   line(context, x, y, x + length, y);
-  for (int i = 0; i <= length; ++i) line(context, x + i, y, x + i, y - (i % 10 == 0 ? 4 : i % 5 == 0 ? 3 : 1.5));
+  for (int i = 0; i <= length; ++i)
+    line(context, x + i, y, x + i, y - (i % 10 == 0 ? 4 : i % 5 == 0 ? 3 : 1.5));
   cairo_stroke(context);
-  const std::string text = std::to_string(length) +
-                           " mm: if it is not so long, print again at 100 %, without 'fit to page'";
+  const std::string text =
+      std::to_string(length) + " mm: if it is not so long, print again at 100 %, without 'fit to page'";
   draw_text(context, text, x, y + 3.2, 2.6, paper.width - 2 * paper.border - 2, Align::left);
 }
 

@@ -13,8 +13,9 @@ struct Named {
   double height;
 };
 
-constexpr std::array papers{Named{"A3", 297, 420},         Named{"A4", 210, 297},          Named{"A5", 148, 210},
-                            Named{"Letter", 215.9, 279.4}, Named{"Legal", 215.9, 355.6}, Named{"Tabloid", 279.4, 431.8}};
+constexpr std::array papers{Named{"A3", 297, 420},        Named{"A4", 210, 297},
+                            Named{"A5", 148, 210},        Named{"Letter", 215.9, 279.4},
+                            Named{"Legal", 215.9, 355.6}, Named{"Tabloid", 279.4, 431.8}};
 
 bool parse_length(std::string_view text, double& value) {
   const char* end = text.data() + text.size();
@@ -38,8 +39,9 @@ Result<Paper> paper(std::string_view name) {
       parse_length(plain.substr(cross + 1), custom.height)) {
     return custom;
   }
-  return Error{"'" + std::string(name) +
-               "' is no paper: A3, A4, A5, Letter, Legal, Tabloid (with -landscape), or WIDTHxHEIGHT in millimetres"};
+  return Error{
+      "'" + std::string(name) +
+      "' is no paper: A3, A4, A5, Letter, Legal, Tabloid (with -landscape), or WIDTHxHEIGHT in millimetres"};
 }
 
 }  // namespace runmark

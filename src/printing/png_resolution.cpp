@@ -8,7 +8,8 @@ namespace runmark {
 namespace {
 
 void append_number(std::vector<unsigned char>& bytes, std::uint32_t value) {
-  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<unsigned char>(value >> static_cast<unsigned>(shift)));
+  for (int shift = 24; shift >= 0; shift -= 8)
+    bytes.push_back(static_cast<unsigned char>(value >> static_cast<unsigned>(shift)));
 }
 
 /// The CRC of the PNG specification, bit by bit: a chunk of 13 bytes needs no table.

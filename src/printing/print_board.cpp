@@ -33,19 +33,20 @@ std::string description(const Board& board, const Dictionary& dictionary, double
   std::array<char, 200> text{};
   if (board.charuco) {
     const CharucoLayout& c = *board.charuco;
-    std::snprintf(text.data(), text.size(), "ChArUco %d x %d, square %.6g mm, marker %.6g mm, ids from %d%s%s", c.columns,
-                  c.rows, c.square * unit, c.marker * unit, c.first_id, c.legacy ? ", layout before OpenCV 4.6" : "",
+    std::snprintf(text.data(), text.size(),
+                  "ChArUco %d x %d, square %.6g mm, marker %.6g mm, ids from %d%s%s", c.columns, c.rows,
+                  c.square * unit, c.marker * unit, c.first_id, c.legacy ? ", layout before OpenCV 4.6" : "",
                   c.turned ? ", markers turned" : "");
   } else {
     const GridLayout& g = *board.grid;
-    std::snprintf(text.data(), text.size(), "grid %d x %d, marker %.6g mm, gap %.6g mm, ids from %d", g.columns, g.rows,
-                  g.marker * unit, g.gap * unit, g.first_id);
+    std::snprintf(text.data(), text.size(), "grid %d x %d, marker %.6g mm, gap %.6g mm, ids from %d",
+                  g.columns, g.rows, g.marker * unit, g.gap * unit, g.first_id);
   }
   return dictionary.name + "  " + text.data();
 }
 
-void draw_board(cairo_t* context, const Board& board, const Dictionary& dictionary, double unit, double left, double top,
-                bool inverted) {
+void draw_board(cairo_t* context, const Board& board, const Dictionary& dictionary, double unit, double left,
+                double top, bool inverted) {
   if (board.charuco) {
     const CharucoLayout& c = *board.charuco;
     const double square = c.square * unit;
@@ -70,8 +71,9 @@ void draw_board(cairo_t* context, const Board& board, const Dictionary& dictiona
 
 }  // namespace
 
-Result<std::vector<PrintedPage>> print_board(const std::string& path, const Dictionary& dictionary, const Board& board,
-                                             double unit, const Paper& paper, const PrintStyle& style) {
+Result<std::vector<PrintedPage>> print_board(const std::string& path, const Dictionary& dictionary,
+                                             const Board& board, double unit, const Paper& paper,
+                                             const PrintStyle& style) {
   if (!board.charuco && !board.grid) return Error{"only grids and ChArUco boards can be printed"};
   for (const BoardMarker& marker : board.markers) {
     if (marker.id < 0 || static_cast<std::size_t>(marker.id) >= dictionary.codes.size()) {
@@ -87,8 +89,8 @@ Result<std::vector<PrintedPage>> print_board(const std::string& path, const Dict
   if (width > paper.width - 2 * border + 1e-9 || height > paper.height - 2 * border - foot + 1e-9) {
     std::array<char, 200> text{};
     std::snprintf(text.data(), text.size(),
-                  "the board with its white margin is %.6g x %.6g mm: too large for paper of %.6g x %.6g mm", width, height,
-                  paper.width, paper.height);
+                  "the board with its white margin is %.6g x %.6g mm: too large for paper of %.6g x %.6g mm",
+                  width, height, paper.width, paper.height);
     return Error{text.data()};
   }
   Result<Document> document = Document::create(path, paper, style.dpi, 1);

@@ -49,8 +49,8 @@ Tiling tile(const Dictionary& dictionary, double size, const Paper& paper, const
   return t;
 }
 
-void draw_tile(cairo_t* context, const Dictionary& dictionary, int id, double size, double x, double y, const Tiling& t,
-               const PrintStyle& style) {
+void draw_tile(cairo_t* context, const Dictionary& dictionary, int id, double size, double x, double y,
+               const Tiling& t, const PrintStyle& style) {
   if (style.inverted) fill(context, x, y, t.side, t.side, true);
   draw_cells(context, dictionary, id, x + t.origin, y + t.origin, size, false, style.inverted);
   if (style.cut_marks) draw_cut_marks(context, x, y, t.side, t.side);
@@ -76,7 +76,8 @@ Result<std::vector<PrintedPage>> print_markers(const std::string& path, const Di
   const Tiling t = tile(dictionary, size, paper, style);
   if (t.columns < 1 || t.rows < 1) {
     return Error{"a marker of " + millimetres(size) + " with its white margin is " + millimetres(t.side) +
-                 " wide: too large for paper of " + millimetres(paper.width) + " x " + millimetres(paper.height)};
+                 " wide: too large for paper of " + millimetres(paper.width) + " x " +
+                 millimetres(paper.height)};
   }
   const auto per_page = static_cast<std::size_t>(t.columns) * static_cast<std::size_t>(t.rows);
   const std::size_t pages = (ids.size() + per_page - 1) / per_page;

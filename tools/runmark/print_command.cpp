@@ -59,11 +59,13 @@ void print_a_board(const PrintSettings& settings, const Paper& sheet) {
 void print(const PrintSettings& settings) {
   const Paper sheet = value_or_throw(paper(settings.paper));
   if (!settings.board.empty()) return print_a_board(settings, sheet);
-  if (settings.dictionary.empty() || settings.ids.empty()) throw UserError("print needs --dict and --ids, or --board");
+  if (settings.dictionary.empty() || settings.ids.empty())
+    throw UserError("print needs --dict and --ids, or --board");
   const Dictionary dictionary = value_or_throw(load_dictionary(settings.dictionary));
   const std::vector<int> ids = parse_ids(settings.ids);
-  report(value_or_throw(print_markers(settings.output, dictionary, ids, settings.size, sheet, settings.style)),
-         std::to_string(ids.size()) + (ids.size() == 1 ? " marker" : " markers"));
+  report(
+      value_or_throw(print_markers(settings.output, dictionary, ids, settings.size, sheet, settings.style)),
+      std::to_string(ids.size()) + (ids.size() == 1 ? " marker" : " markers"));
 }
 
 }  // namespace
@@ -71,10 +73,14 @@ void print(const PrintSettings& settings) {
 void add_print_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("print", "Put markers and boards on paper, at true size");
   const auto settings = std::make_shared<PrintSettings>();
-  command->add_option("-d,--dict", settings->dictionary, "Dictionary: a built-in name or the path of a .codes file")
+  command
+      ->add_option("-d,--dict", settings->dictionary,
+                   "Dictionary: a built-in name or the path of a .codes file")
       ->type_name("NAME");
   command->add_option("--ids", settings->ids, "Markers to print, such as 0-11,15")->type_name("IDS");
-  command->add_option("-o,--output", settings->output, "A .pdf, .svg or .png file; several pages of the last two get numbers")
+  command
+      ->add_option("-o,--output", settings->output,
+                   "A .pdf, .svg or .png file; several pages of the last two get numbers")
       ->required()
       ->type_name("FILE");
   command->add_option("--size", settings->size, "Side of a marker's black square, in millimetres")
@@ -86,10 +92,13 @@ void add_print_command(CLI::App& app) {
       ->check(CLI::IsMember({"mm", "cm", "m", "inch"}).description(""))
       ->capture_default_str()
       ->type_name("mm|cm|m|inch");
-  command->add_option("--paper", settings->paper, "A3, A4, A5, Letter, Legal, Tabloid, with -landscape, or WIDTHxHEIGHT in mm")
+  command
+      ->add_option("--paper", settings->paper,
+                   "A3, A4, A5, Letter, Legal, Tabloid, with -landscape, or WIDTHxHEIGHT in mm")
       ->capture_default_str()
       ->type_name("NAME");
-  command->add_option("--margin", settings->style.margin_cells, "White round a marker, in its cells; at least 1")
+  command
+      ->add_option("--margin", settings->style.margin_cells, "White round a marker, in its cells; at least 1")
       ->check(CLI::Range(1.0, 20.0).description(""))
       ->capture_default_str()
       ->type_name("CELLS");
@@ -99,7 +108,8 @@ void add_print_command(CLI::App& app) {
       ->type_name("N");
   command->add_flag("--inverted", settings->style.inverted, "White on black");
   command->add_flag("!--no-labels", settings->style.labels, "Print no dictionary, id and size beneath");
-  command->add_flag("!--no-cut-marks", settings->style.cut_marks, "Print no marks at the corners of the white margin");
+  command->add_flag("!--no-cut-marks", settings->style.cut_marks,
+                    "Print no marks at the corners of the white margin");
   command->add_flag("!--no-ruler", settings->style.ruler, "Print no ruler at the foot of the page");
   command->callback([settings] { print(*settings); });
 }
