@@ -18,8 +18,10 @@ struct CalibrationView {
   std::vector<Point> image;
 };
 
-/// The chessboard's corners where the board has some, else the markers'. Empty when too little is seen to help.
-[[nodiscard]] RUNMARK_EXPORT CalibrationView calibration_view(const Board& board, const BoardView& view, std::string name);
+/// The chessboard's corners where the board has some, else the markers'. Empty when too little is seen to
+/// help.
+[[nodiscard]] RUNMARK_EXPORT CalibrationView calibration_view(const Board& board, const BoardView& view,
+                                                              std::string name);
 
 /// How well a view agrees with the camera found.
 struct CalibratedView {
@@ -33,20 +35,22 @@ struct CalibratedView {
 struct Calibration {
   Camera camera;
   double error = 0;  ///< rms over the corners of the views that were used, in pixels
-  /// Standard deviations: fx, fy, cx, cy, then the lens's coefficients; 0 for those held at 0. Empty for a fisheye lens.
+  /// Standard deviations: fx, fy, cx, cy, then the lens's coefficients; 0 for those held at 0. Empty for a
+  /// fisheye lens.
   std::vector<double> deviations;
   std::vector<CalibratedView> views;  ///< as many as were given
 };
 
-/// Finds the camera that explains the views. A plain lens is given only the coefficients that the views tell apart from
-/// 0: k3 is dropped when it is within its deviation, p1 with p2 when both are within twice theirs. Views and corners that disagree with
-/// the rest are left out and marked. The work is done by OpenCV's calibrateCamera and fisheye::calibrate.
-/// Errors: fewer than two views, views without 6 corners off one line, a lens that does not fit them.
-[[nodiscard]] RUNMARK_EXPORT Result<Calibration> calibrate(std::span<const CalibrationView> views, int width, int height,
-                                                           Lens lens);
+/// Finds the camera that explains the views. A plain lens is given only the coefficients that the views tell
+/// apart from 0: k3 is dropped when it is within its deviation, p1 with p2 when both are within twice theirs.
+/// Views and corners that disagree with the rest are left out and marked. The work is done by OpenCV's
+/// calibrateCamera and fisheye::calibrate. Errors: fewer than two views, views without 6 corners off one
+/// line, a lens that does not fit them.
+[[nodiscard]] RUNMARK_EXPORT Result<Calibration> calibrate(std::span<const CalibrationView> views, int width,
+                                                           int height, Lens lens);
 
-/// The views that differ from each other most, `most` of them at most, in their order: of a video's many almost equal
-/// frames the ones that help.
+/// The views that differ from each other most, `most` of them at most, in their order: of a video's many
+/// almost equal frames the ones that help.
 [[nodiscard]] RUNMARK_EXPORT std::vector<std::size_t> most_different(std::span<const CalibrationView> views,
                                                                      std::size_t most);
 

@@ -163,7 +163,8 @@ class Calibrator {
     bool more = false;
     // A whole view first: it has bent the others.
     const double usual = median(offsets);
-    const auto kept = std::count_if(result_.views.begin(), result_.views.end(), [](const auto& v) { return !v.outlier; });
+    const auto kept =
+        std::count_if(result_.views.begin(), result_.views.end(), [](const auto& v) { return !v.outlier; });
     if (kept > least_views) {
       for (std::size_t i = 0; i < result_.views.size(); ++i) {
         if (result_.views[i].outlier || medians[i] < std::max(bad_view * usual, least_off)) continue;
@@ -177,7 +178,9 @@ class Calibrator {
       if (view.outlier) continue;
       for (std::size_t k = 0; k < view.used.size(); ++k) {
         if (!view.used[k] || length(view.offsets[k]) < limit) continue;
-        if (std::count(view.used.begin(), view.used.end(), true) <= static_cast<std::ptrdiff_t>(least_corners)) break;
+        if (std::count(view.used.begin(), view.used.end(), true) <=
+            static_cast<std::ptrdiff_t>(least_corners))
+          break;
         view.used[k] = false;
         more = true;
       }
@@ -215,11 +218,14 @@ CalibrationView calibration_view(const Board& board, const BoardView& view, std:
 Result<Calibration> calibrate(std::span<const CalibrationView> views, int width, int height, Lens lens) {
   if (width < 1 || height < 1) return Error{"a picture has at least one pixel"};
   if (views.size() < 2) {
-    return Error{"a calibration needs at least two views of the board; " + std::to_string(views.size()) + " given"};
+    return Error{"a calibration needs at least two views of the board; " + std::to_string(views.size()) +
+                 " given"};
   }
   for (const CalibrationView& view : views) {
-    if (view.object.size() != view.image.size() || view.object.size() < least_corners || !is_wide(view.image)) {
-      return Error{view.name + ": too little of the board is seen: 6 corners that are not on one line are needed"};
+    if (view.object.size() != view.image.size() || view.object.size() < least_corners ||
+        !is_wide(view.image)) {
+      return Error{view.name +
+                   ": too little of the board is seen: 6 corners that are not on one line are needed"};
     }
   }
   return Calibrator(views, width, height, lens).run();

@@ -32,7 +32,8 @@ double difference(const std::map<Key, Point>& a, const std::map<Key, Point>& b) 
     ++shared;
   }
   const std::size_t all = a.size() + b.size() - shared;
-  return (sum + unshared * static_cast<double>(all - shared)) / static_cast<double>(std::max<std::size_t>(all, 1));
+  return (sum + unshared * static_cast<double>(all - shared)) /
+         static_cast<double>(std::max<std::size_t>(all, 1));
 }
 
 }  // namespace

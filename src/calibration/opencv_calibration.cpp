@@ -50,15 +50,23 @@ RawCalibration by_polynomial(const Points& points, int width, int height, Lens l
   cv::Matx33d k = cv::Matx33d::eye();
   if (!points.flat) {
     flags |= cv::CALIB_USE_INTRINSIC_GUESS;
-    k = {static_cast<double>(width), 0, (width - 1) / 2.0, 0, static_cast<double>(width), (height - 1) / 2.0, 0, 0, 1};
+    k = {static_cast<double>(width),
+         0,
+         (width - 1) / 2.0,
+         0,
+         static_cast<double>(width),
+         (height - 1) / 2.0,
+         0,
+         0,
+         1};
   }
   cv::Mat d;
   std::vector<cv::Mat> turns;
   std::vector<cv::Mat> places;
   cv::Mat deviations;
   const cv::TermCriteria until(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-10);
-  cv::calibrateCamera(points.object, points.image, {width, height}, k, d, turns, places, deviations, cv::noArray(),
-                      cv::noArray(), flags, until);
+  cv::calibrateCamera(points.object, points.image, {width, height}, k, d, turns, places, deviations,
+                      cv::noArray(), cv::noArray(), flags, until);
   RawCalibration raw{camera_from(k, d, width, height, lens), {}, poses_of(turns, places)};
   const auto* values = deviations.ptr<double>();
   raw.deviations.assign(values, values + 4 + coefficients_of(lens));
@@ -84,8 +92,8 @@ RawCalibration by_fisheye(const Points& points, int width, int height) {
 
 }  // namespace
 
-Result<RawCalibration> calibrate_by_opencv(const std::vector<const CalibrationView*>& views, int width, int height,
-                                           Lens lens, HeldCoefficients held) {
+Result<RawCalibration> calibrate_by_opencv(const std::vector<const CalibrationView*>& views, int width,
+                                           int height, Lens lens, HeldCoefficients held) {
   try {
     const Points points = points_of(views);
     RawCalibration raw = lens == Lens::fisheye ? by_fisheye(points, width, height)

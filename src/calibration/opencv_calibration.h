@@ -21,7 +21,8 @@ struct HeldCoefficients {
 };
 
 /// Errors: what OpenCV found wrong.
-[[nodiscard]] Result<RawCalibration> calibrate_by_opencv(const std::vector<const CalibrationView*>& views, int width,
-                                                         int height, Lens lens, HeldCoefficients held);
+[[nodiscard]] Result<RawCalibration> calibrate_by_opencv(const std::vector<const CalibrationView*>& views,
+                                                         int width, int height, Lens lens,
+                                                         HeldCoefficients held);
 
 }  // namespace runmark

@@ -89,7 +89,8 @@ TEST(Calibrate, ChoosesTheViewsThatDifferMost) {
 TEST(Calibrate, TellsWhatIsWrong) {
   const Camera camera = test::cameras()[0];
   auto views = views_by(camera, 3, 0);
-  EXPECT_NE(calibrate({views.data(), 1}, 640, 480, Lens::plain).error().find("at least two views"), std::string::npos);
+  EXPECT_NE(calibrate({views.data(), 1}, 640, 480, Lens::plain).error().find("at least two views"),
+            std::string::npos);
   views[1].object.resize(4);
   views[1].image.resize(4);
   EXPECT_NE(calibrate(views, 640, 480, Lens::plain).error().find("view 1: too little"), std::string::npos);

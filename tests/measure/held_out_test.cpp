@@ -1,5 +1,5 @@
-// Calibration on real ChArUco sets beside OpenCV's own pipeline: each frame is left out once, the camera is found from the
-// others, and the error is that of the frame left out.
+// Calibration on real ChArUco sets beside OpenCV's own pipeline: each frame is left out once, the camera is
+// found from the others, and the error is that of the frame left out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,26 +29,55 @@ struct RealSet {
 
 // Those of real-images with at least three frames of one camera that show 6 corners or more.
 const std::vector<RealSet> sets{
-    {"caliscope camera 0", {"caliscope__cal_in_c0_001", "caliscope__cal_in_c0_005", "caliscope__cal_po_c0_001",
-                            "caliscope__cal_po_c0_003"}, "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true},
-    {"caliscope camera 2", {"caliscope__cal_in_c2_001", "caliscope__cal_in_c2_005", "caliscope__cal_po_c2_001",
-                            "caliscope__cal_po_c2_003"}, "DICT_4X4_50", cv::aruco::DICT_4X4_50, 4, 5, 0.75, true},
-    {"industrial", {"industrial_c__0", "industrial_c__2", "industrial_c__6", "industrial_c__12"}, "DICT_6X6_50",
-     cv::aruco::DICT_6X6_50, 5, 7, 0.5, false},
-    {"wpical", {"allwpilib__wpical_cal_001", "allwpilib__wpical_cal_005", "allwpilib__wpical_cal_009"}, "DICT_5X5_50",
-     cv::aruco::DICT_5X5_50, 12, 8, 0.75, false}};
+    {"caliscope camera 0",
+     {"caliscope__cal_in_c0_001", "caliscope__cal_in_c0_005", "caliscope__cal_po_c0_001",
+      "caliscope__cal_po_c0_003"},
+     "DICT_4X4_50",
+     cv::aruco::DICT_4X4_50,
+     4,
+     5,
+     0.75,
+     true},
+    {"caliscope camera 2",
+     {"caliscope__cal_in_c2_001", "caliscope__cal_in_c2_005", "caliscope__cal_po_c2_001",
+      "caliscope__cal_po_c2_003"},
+     "DICT_4X4_50",
+     cv::aruco::DICT_4X4_50,
+     4,
+     5,
+     0.75,
+     true},
+    {"industrial",
+     {"industrial_c__0", "industrial_c__2", "industrial_c__6", "industrial_c__12"},
+     "DICT_6X6_50",
+     cv::aruco::DICT_6X6_50,
+     5,
+     7,
+     0.5,
+     false},
+    {"wpical",
+     {"allwpilib__wpical_cal_001", "allwpilib__wpical_cal_005", "allwpilib__wpical_cal_009"},
+     "DICT_5X5_50",
+     cv::aruco::DICT_5X5_50,
+     12,
+     8,
+     0.75,
+     false}};
 
-CalibrationView seen_by_us(const cv::Mat& grey, const RealSet& set, const Board& board, const Dictionary& dictionary) {
-  auto detector =
-      *Detector::create({.max_width = grey.cols, .max_height = grey.rows, .inverted = set.inverted}, {dictionary});
-  const auto view = ImageView::grey(grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0]));
+CalibrationView seen_by_us(const cv::Mat& grey, const RealSet& set, const Board& board,
+                           const Dictionary& dictionary) {
+  auto detector = *Detector::create(
+      {.max_width = grey.cols, .max_height = grey.rows, .inverted = set.inverted}, {dictionary});
+  const auto view =
+      ImageView::grey(grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step[0]));
   return calibration_view(board, view_board(board, detector.detect(view).markers, view), "");
 }
 
 CalibrationView seen_by_opencv(const cv::Mat& grey, const RealSet& set, const Board& ours) {
   const cv::Mat picture = set.inverted ? cv::Mat(255 - grey) : grey;
   const auto known = cv::aruco::getPredefinedDictionary(set.opencv);
-  const auto board = cv::aruco::CharucoBoard::create(set.columns, set.rows, 1, static_cast<float>(set.marker), known);
+  const auto board =
+      cv::aruco::CharucoBoard::create(set.columns, set.rows, 1, static_cast<float>(set.marker), known);
   std::vector<std::vector<cv::Point2f>> markers;
   std::vector<int> ids;
   cv::aruco::detectMarkers(picture, known, markers, ids);
@@ -70,7 +99,8 @@ Camera camera_by_opencv(const std::vector<CalibrationView>& views, cv::Size size
   for (const CalibrationView& view : views) {
     auto& o = object.emplace_back();
     auto& p = image.emplace_back();
-    for (const Point3& q : view.object) o.emplace_back(static_cast<float>(q.x), static_cast<float>(q.y), 0.0F);
+    for (const Point3& q : view.object)
+      o.emplace_back(static_cast<float>(q.x), static_cast<float>(q.y), 0.0F);
     for (const Point& q : view.image) p.emplace_back(static_cast<float>(q.x), static_cast<float>(q.y));
   }
   cv::Matx33d k;
@@ -103,7 +133,8 @@ void add_error(Error2& error, const CalibrationView& view, const Camera& camera)
   }
   cv::Vec3d r;
   cv::Vec3d t;
-  ASSERT_TRUE(cv::solvePnP(object, directions, cv::Matx33d::eye(), cv::noArray(), r, t, false, cv::SOLVEPNP_IPPE));
+  ASSERT_TRUE(
+      cv::solvePnP(object, directions, cv::Matx33d::eye(), cv::noArray(), r, t, false, cv::SOLVEPNP_IPPE));
   const auto refined = refine_pose(seen, camera, pose_from({r[0], r[1], r[2]}, {t[0], t[1], t[2]}));
   ASSERT_TRUE(refined);
   error.sum += refined->chi2;
@@ -113,7 +144,8 @@ void add_error(Error2& error, const CalibrationView& view, const Camera& camera)
 TEST(HeldOut, NoWorseThanOpenCvsPipelineWithAsManyCorners) {
   const char* shared = std::getenv("RUNMARK_SHARED");
   const std::filesystem::path folder =
-      std::filesystem::path(shared != nullptr ? shared : RUNMARK_SOURCE_DIR "/../shared") / "real-images/images";
+      std::filesystem::path(shared != nullptr ? shared : RUNMARK_SOURCE_DIR "/../shared") /
+      "real-images/images";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there: no real frames are read";
   for (const RealSet& set : sets) {
     const Dictionary dictionary = *builtin_dictionary(set.dictionary);
@@ -125,7 +157,8 @@ TEST(HeldOut, NoWorseThanOpenCvsPipelineWithAsManyCorners) {
     std::size_t our_corners = 0;
     std::size_t their_corners = 0;
     for (const char* frame : set.frames) {
-      const cv::Mat grey = cv::imread((folder / (std::string(frame) + ".jpg")).string(), cv::IMREAD_GRAYSCALE);
+      const cv::Mat grey =
+          cv::imread((folder / (std::string(frame) + ".jpg")).string(), cv::IMREAD_GRAYSCALE);
       ASSERT_FALSE(grey.empty()) << frame;
       size = grey.size();
       const CalibrationView us = seen_by_us(grey, set, board, dictionary);
@@ -151,8 +184,10 @@ TEST(HeldOut, NoWorseThanOpenCvsPipelineWithAsManyCorners) {
       return found->camera;
     });
     const Error2 them = held_out(theirs, [&](const auto& views) { return camera_by_opencv(views, size); });
-    std::printf("%s: held-out error %.3f px over %zu frames, %zu corners; OpenCV's pipeline %.3f px over %zu frames, %zu corners\n",
-                set.name, us.rms(), ours.size(), our_corners, them.rms(), theirs.size(), their_corners);
+    std::printf(
+        "%s: held-out error %.3f px over %zu frames, %zu corners; OpenCV's pipeline %.3f px over %zu frames, "
+        "%zu corners\n",
+        set.name, us.rms(), ours.size(), our_corners, them.rms(), theirs.size(), their_corners);
     EXPECT_LE(us.rms(), them.rms()) << set.name;
     EXPECT_GE(our_corners, their_corners) << set.name;
   }

@@ -1,3 +1,4 @@
+#include "calibrate_command.h"
 #include "detect_command.h"
 #include "dictionaries_command.h"
 #include "errors.h"
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
   CLI::App app("Finds square fiducial markers in images, videos and camera streams", "runmark");
   app.set_version_flag("--version", "runmark " RUNMARK_VERSION);
   app.require_subcommand(0, 1);
+  add_calibrate_command(app);
   add_detect_command(app);
   add_dictionaries_command(app);
   add_evaluate_command(app);
