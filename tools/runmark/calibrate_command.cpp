@@ -23,15 +23,18 @@ void add_calibrate_command(CLI::App& app) {
   command->add_option("--ros", settings->ros, "Write the camera as ROS camera_info YAML")->type_name("FILE");
   command->add_option("--report", settings->report, "Write a web page with plots of what is left unexplained")
       ->type_name("FILE");
-  command->add_option("--coverage", settings->coverage, "Write a picture of where corners were seen")->type_name("FILE");
+  command->add_option("--coverage", settings->coverage, "Write a picture of where corners were seen")
+      ->type_name("FILE");
   command->add_option("--max-views", settings->most_views, "Views to use: those that differ most")
       ->check(CLI::Range(3, 1000).description(""))
       ->capture_default_str()
       ->type_name("N");
   command->add_flag("--inverted", settings->detector.options.inverted, "The board is white on black");
   command->footer(
-      "Show the whole board from all sides, tilted by 20 to 45 degrees, and in every corner of the picture; 15 views or\n"
-      "more. A camera is read until Ctrl-C. Views and corners that disagree with the others are left out and named.");
+      "Show the whole board from all sides, tilted by 20 to 45 degrees, and in every corner of the picture; "
+      "15 views or\n"
+      "more. A camera is read until Ctrl-C. Views and corners that disagree with the others are left out and "
+      "named.");
   command->callback([settings] {
     catch_interrupts();
     CalibrateRun(*settings).run();

@@ -44,7 +44,8 @@ void CalibrateRun::run() {
   }
   if (views.size() < 3) {
     throw UserError("the board is seen well enough in " + std::to_string(views.size()) + " of " +
-                    std::to_string(frames_) + " frames; a calibration needs at least 3 different views, better 15");
+                    std::to_string(frames_) +
+                    " frames; a calibration needs at least 3 different views, better 15");
   }
   const Calibration calibration = value_or_throw(calibrate(views, width_, height_, settings_.lens));
   write(views, calibration);
@@ -59,9 +60,11 @@ void CalibrateRun::read(const Input& input) {
   for (std::optional<Frame> frame = source->next(); frame && !interrupted(); frame = source->next()) {
     look(*frame);
     const auto count = source->frame_count();
-    const double part = count ? std::min(1.0, static_cast<double>(frame->index + 1) / static_cast<double>(*count)) : 1;
+    const double part =
+        count ? std::min(1.0, static_cast<double>(frame->index + 1) / static_cast<double>(*count)) : 1;
     const bool endless = input.moving() && !count;
-    progress_.update(frames_, endless ? -1 : (static_cast<double>(input_) + part) / static_cast<double>(inputs_.size()));
+    progress_.update(
+        frames_, endless ? -1 : (static_cast<double>(input_) + part) / static_cast<double>(inputs_.size()));
   }
 }
 
@@ -73,8 +76,8 @@ void CalibrateRun::look(const Frame& frame) {
     height_ = frame.pixels.rows;
   } else if (width_ != frame.pixels.cols || height_ != frame.pixels.rows) {
     throw InputError(frame.source + ": is " + std::to_string(frame.pixels.cols) + " x " +
-                     std::to_string(frame.pixels.rows) + " pixels, but the frames before are " + std::to_string(width_) +
-                     " x " + std::to_string(height_));
+                     std::to_string(frame.pixels.rows) + " pixels, but the frames before are " +
+                     std::to_string(width_) + " x " + std::to_string(height_));
   }
   ++frames_;
   const Detection found = detector_.detect(frame);
@@ -83,7 +86,8 @@ void CalibrateRun::look(const Frame& frame) {
     if (advised_++ == 0) advice_ = frame.source + ": " + advice;
     return;
   }
-  const std::string name = frame.still ? frame.source : frame.source + " frame " + std::to_string(frame.index);
+  const std::string name =
+      frame.still ? frame.source : frame.source + " frame " + std::to_string(frame.index);
   CalibrationView view = calibration_view(board_, view_board(board_, found.markers, frame.view()), name);
   if (view.object.empty()) return;
   views_.push_back(std::move(view));

@@ -26,8 +26,8 @@ struct CalibrateSettings {
   std::string coverage;  ///< a picture
 };
 
-/// One run of `calibrate`: looks for the board in all frames, chooses views, finds the camera and writes what was asked
-/// for. A camera is read until Ctrl-C.
+/// One run of `calibrate`: looks for the board in all frames, chooses views, finds the camera and writes what
+/// was asked for. A camera is read until Ctrl-C.
 class CalibrateRun {
  public:
   /// Throws UserError, as does `run`; ExitStatus after Ctrl-C on anything but a camera.

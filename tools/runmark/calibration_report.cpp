@@ -40,7 +40,8 @@ std::vector<Parameter> parameters_of(const Calibration& c) {
                                     {"fy", camera.fy, deviation(1)},
                                     {"cx", camera.cx, deviation(2)},
                                     {"cy", camera.cy, deviation(3)}};
-  const std::size_t count = camera.lens == Lens::rational ? 8 : static_cast<std::size_t>(coefficients_of(camera.lens));
+  const std::size_t count =
+      camera.lens == Lens::rational ? 8 : static_cast<std::size_t>(coefficients_of(camera.lens));
   for (std::size_t i = 0; i < count; ++i) {
     const char* name = camera.lens == Lens::fisheye ? fisheye_names[i] : polynomial_names[i];
     parameters.push_back({name, camera.distortion[i], deviation(4 + i)});
@@ -86,11 +87,16 @@ std::string coverage_line(const std::vector<CalibrationView>& views, const Calib
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (c == '&') safe += "&amp;";
-    else if (c == '"') safe += "&quot;";
-    else safe += c;
+    if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '&')
+      safe += "&amp;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
   }
   return safe;
 }
@@ -100,10 +106,11 @@ std::string colour(std::size_t view) { return format("hsl(%zu,75%%,42%%)", view 
 /// Offsets of all corners round (0, 0); those left out are hollow.
 std::string offsets_plot(const Calibration& calibration) {
   const double reach = std::max(0.1, 5 * calibration.error);
-  std::string svg = format("<svg viewBox='-160 -160 320 320' width='420'><rect x='-150' y='-150' width='300' height='300'/>");
+  std::string svg = format(
+      "<svg viewBox='-160 -160 320 320' width='420'><rect x='-150' y='-150' width='300' height='300'/>");
   for (const double share : {0.5, 1.0}) {
-    svg += format("<circle class='grid' r='%.1f'/><text x='4' y='%.1f'>%.2g px</text>", 150 * share, -150 * share + 11,
-                  reach * share);
+    svg += format("<circle class='grid' r='%.1f'/><text x='4' y='%.1f'>%.2g px</text>", 150 * share,
+                  -150 * share + 11, reach * share);
   }
   svg += "<path class='grid' d='M-150 0H150M0-150V150'/>";
   for (std::size_t i = 0; i < calibration.views.size(); ++i) {
@@ -112,30 +119,33 @@ std::string offsets_plot(const Calibration& calibration) {
       const bool used = view.used[k] && !view.outlier;
       const double x = std::clamp(view.offsets[k].x / reach, -1.0, 1.0) * 150;
       const double y = std::clamp(view.offsets[k].y / reach, -1.0, 1.0) * 150;
-      svg += format("<circle cx='%.1f' cy='%.1f' r='1.6' %s='%s'/>", x, y, used ? "fill" : "fill='none' stroke",
-                    colour(i).c_str());
+      svg += format("<circle cx='%.1f' cy='%.1f' r='1.6' %s='%s'/>", x, y,
+                    used ? "fill" : "fill='none' stroke", colour(i).c_str());
     }
   }
   return svg + "</svg>";
 }
 
 /// Each corner where it lies in the picture, and its offset made longer.
-std::string places_plot(const std::vector<CalibrationView>& views, const Calibration& calibration, double longer) {
+std::string places_plot(const std::vector<CalibrationView>& views, const Calibration& calibration,
+                        double longer) {
   const Camera& camera = calibration.camera;
   const double unit = camera.width / 640.0;
-  std::string svg = format("<svg viewBox='-0.5 -0.5 %d %d' width='640'><rect x='-0.5' y='-0.5' width='%d' height='%d'/>",
-                           camera.width, camera.height, camera.width, camera.height);
+  std::string svg =
+      format("<svg viewBox='-0.5 -0.5 %d %d' width='640'><rect x='-0.5' y='-0.5' width='%d' height='%d'/>",
+             camera.width, camera.height, camera.width, camera.height);
   for (std::size_t i = 0; i < views.size(); ++i) {
     for (std::size_t k = 0; k < views[i].image.size(); ++k) {
       const Point p = views[i].image[k];
       if (longer == 0) {
-        svg += format("<circle cx='%.1f' cy='%.1f' r='%.1f' fill='%s'/>", p.x, p.y, 2 * unit, colour(i).c_str());
+        svg +=
+            format("<circle cx='%.1f' cy='%.1f' r='%.1f' fill='%s'/>", p.x, p.y, 2 * unit, colour(i).c_str());
         continue;
       }
       const Point o = calibration.views[i].offsets[k];
       if (std::hypot(o.x, o.y) * longer > 0.5 * camera.width) continue;
-      svg += format("<path d='M%.1f %.1fl%.1f %.1f' stroke='%s' stroke-width='%.1f'/>", p.x, p.y, longer * o.x,
-                    longer * o.y, colour(i).c_str(), unit);
+      svg += format("<path d='M%.1f %.1fl%.1f %.1f' stroke='%s' stroke-width='%.1f'/>", p.x, p.y,
+                    longer * o.x, longer * o.y, colour(i).c_str(), unit);
     }
   }
   return svg + "</svg>";
@@ -148,9 +158,10 @@ std::string views_table(const std::vector<CalibrationView>& views, const Calibra
   for (std::size_t i = 0; i < views.size(); ++i) {
     const CalibratedView& view = calibration.views[i];
     table += "<tr><td>" + escaped(views[i].name) +
-             format("</td><td>%zu</td><td>%.3f</td><td><svg width='160' height='10'><path d='M0 0h%.1fv10H0z' "
-                    "fill='%s'/></svg></td><td>",
-                    views[i].object.size(), view.error, 160 * view.error / most, colour(i).c_str()) +
+             format(
+                 "</td><td>%zu</td><td>%.3f</td><td><svg width='160' height='10'><path d='M0 0h%.1fv10H0z' "
+                 "fill='%s'/></svg></td><td>",
+                 views[i].object.size(), view.error, 160 * view.error / most, colour(i).c_str()) +
              remark(view) + "</td></tr>";
   }
   return table + "</table>";
@@ -161,8 +172,9 @@ std::string views_table(const std::vector<CalibrationView>& views, const Calibra
 std::string calibration_text(const std::vector<CalibrationView>& views, const Calibration& calibration) {
   const Camera& camera = calibration.camera;
   const Totals totals = totals_of(calibration);
-  std::string text = format("%d x %d, %s lens: %zu views, %zu corners, error %.3f px\n", camera.width, camera.height,
-                            name_of(camera.lens), totals.views, totals.corners, calibration.error);
+  std::string text =
+      format("%d x %d, %s lens: %zu views, %zu corners, error %.3f px\n", camera.width, camera.height,
+             name_of(camera.lens), totals.views, totals.corners, calibration.error);
   for (const Parameter& p : parameters_of(calibration)) {
     text += format("  %-3s %14.6g", p.name.c_str(), p.value);
     text += p.deviation > 0 ? format(" +- %.2g\n", p.deviation) : std::string("\n");
@@ -191,21 +203,29 @@ std::string calibration_page(const std::vector<CalibrationView>& views, const Ca
   const double longer = std::max(1.0, std::round(0.03 * camera.width / std::max(calibration.error, 1e-3)));
   return "<!doctype html><html lang='en'><meta charset='utf-8'><title>Camera calibration</title><style>"
          "body{font:15px sans-serif;max-width:70em;margin:2em auto;padding:0 1em}"
-         "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:left;border-bottom:1px solid #ddd}"
-         "svg{vertical-align:middle}rect{fill:#fff;stroke:#bbb;stroke-width:1;vector-effect:non-scaling-stroke}"
-         ".grid{fill:none;stroke:#ddd}text{font-size:10px;fill:#777}figure{display:inline-block;margin:1em 1em 1em 0}"
+         "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:left;border-bottom:1px solid "
+         "#ddd}"
+         "svg{vertical-align:middle}rect{fill:#fff;stroke:#bbb;stroke-width:1;vector-effect:non-scaling-"
+         "stroke}"
+         ".grid{fill:none;stroke:#ddd}text{font-size:10px;fill:#777}figure{display:inline-block;margin:1em "
+         "1em 1em 0}"
          "</style><h1>Camera calibration</h1><p>" +
          format("%d x %d pixels, %s lens. %zu views, %zu corners, rms error <b>%.3f px</b>. ", camera.width,
                 camera.height, name_of(camera.lens), totals.views, totals.corners, calibration.error) +
-         coverage_line(views, calibration) + ".</p><table><tr><th></th><th>value</th><th>deviation</th></tr>" + rows +
-         "</table><figure>" + places_plot(views, calibration, 0) +
-         "<figcaption>Where the corners lie in the picture, a colour for each view.</figcaption></figure><figure>" +
+         coverage_line(views, calibration) +
+         ".</p><table><tr><th></th><th>value</th><th>deviation</th></tr>" + rows + "</table><figure>" +
+         places_plot(views, calibration, 0) +
+         "<figcaption>Where the corners lie in the picture, a colour for each "
+         "view.</figcaption></figure><figure>" +
          offsets_plot(calibration) +
-         "<figcaption>Corners seen less corners projected. What was left out is hollow.</figcaption></figure><figure>" +
+         "<figcaption>Corners seen less corners projected. What was left out is "
+         "hollow.</figcaption></figure><figure>" +
          places_plot(views, calibration, longer) +
-         format("<figcaption>The same where they lie, %g times as long: a pattern shows what the lens model cannot "
-                "follow.</figcaption></figure><h2>Views</h2>",
-                longer) +
+         format(
+             "<figcaption>The same where they lie, %g times as long: a pattern shows what the lens model "
+             "cannot "
+             "follow.</figcaption></figure><h2>Views</h2>",
+             longer) +
          views_table(views, calibration) + "</html>\n";
 }
 

@@ -13,8 +13,8 @@
 namespace runmark::cli {
 namespace {
 
-constexpr std::array<std::string_view, 9> ninths{"upper left", "top",        "upper right", "left",       "middle",
-                                                 "right",      "lower left", "bottom",      "lower right"};
+constexpr std::array<std::string_view, 9> ninths{
+    "upper left", "top", "upper right", "left", "middle", "right", "lower left", "bottom", "lower right"};
 
 int part(double place, int side, int parts) {
   return std::clamp(static_cast<int>((place + 0.5) / side * parts), 0, parts - 1);
@@ -46,7 +46,8 @@ Coverage::Coverage(const std::vector<CalibrationView>& views, const Calibration&
   const Camera& camera = calibration.camera;
   std::array<int, 9> of_ninth{};
   for_each_corner(views, calibration, [&](std::size_t, Point p) {
-    ++counts_[static_cast<std::size_t>(part(p.y, camera.height, rows) * columns + part(p.x, camera.width, columns))];
+    ++counts_[static_cast<std::size_t>(part(p.y, camera.height, rows) * columns +
+                                       part(p.x, camera.width, columns))];
     ++of_ninth[static_cast<std::size_t>(part(p.y, camera.height, 3) * 3 + part(p.x, camera.width, 3))];
   });
   for (std::size_t i = 0; i < ninths.size(); ++i) {
@@ -66,19 +67,22 @@ void write_coverage_picture(const std::string& path, const std::vector<Calibrati
   for (int row = 0; row < Coverage::rows; ++row) {
     for (int column = 0; column < Coverage::columns; ++column) {
       const cv::Point from(column * camera.width / Coverage::columns, row * camera.height / Coverage::rows);
-      const cv::Point to((column + 1) * camera.width / Coverage::columns, (row + 1) * camera.height / Coverage::rows);
+      const cv::Point to((column + 1) * camera.width / Coverage::columns,
+                         (row + 1) * camera.height / Coverage::rows);
       const double share = std::min(1.0, coverage.corners(column, row) / 20.0);
       const bool none = coverage.corners(column, row) == 0;
-      cv::rectangle(picture, from, to,
-                    none ? cv::Scalar(225, 225, 255) : cv::Scalar(255 - 70 * share, 255 - 15 * share, 255 - 70 * share),
-                    cv::FILLED);
+      cv::rectangle(
+          picture, from, to,
+          none ? cv::Scalar(225, 225, 255) : cv::Scalar(255 - 70 * share, 255 - 15 * share, 255 - 70 * share),
+          cv::FILLED);
       cv::rectangle(picture, from, to, cv::Scalar(225, 225, 225));
     }
   }
   const int radius = std::max(2, camera.width / 320);
   for_each_corner(views, calibration, [&](std::size_t view, Point p) {
     constexpr int bits = 4;
-    cv::circle(picture, cv::Point(static_cast<int>(std::lround(p.x * 16)), static_cast<int>(std::lround(p.y * 16))),
+    cv::circle(picture,
+               cv::Point(static_cast<int>(std::lround(p.x * 16)), static_cast<int>(std::lround(p.y * 16))),
                radius << bits, colour_of(view), cv::FILLED, cv::LINE_AA, bits);
   });
   std::vector<std::uint8_t> bytes;

@@ -8,7 +8,8 @@
 
 namespace runmark::cli {
 
-/// Which parts of the picture the corners of a calibration reach: what lies outside is the lens model's guess.
+/// Which parts of the picture the corners of a calibration reach: what lies outside is the lens model's
+/// guess.
 class Coverage {
  public:
   static constexpr int columns = 8;
@@ -16,7 +17,9 @@ class Coverage {
 
   Coverage(const std::vector<CalibrationView>& views, const Calibration& calibration);
 
-  [[nodiscard]] int corners(int column, int row) const { return counts_[static_cast<std::size_t>(row * columns + column)]; }
+  [[nodiscard]] int corners(int column, int row) const {
+    return counts_[static_cast<std::size_t>(row * columns + column)];
+  }
   [[nodiscard]] int parts_reached() const;
   /// Ninths of the picture without a corner, such as "upper left"; empty when there are none.
   [[nodiscard]] std::vector<std::string_view> empty_regions() const { return empty_; }
@@ -26,7 +29,8 @@ class Coverage {
   std::vector<std::string_view> empty_;
 };
 
-/// Writes a picture of all corners, each view in a colour of its own, over the parts they reach. Throws UserError.
+/// Writes a picture of all corners, each view in a colour of its own, over the parts they reach. Throws
+/// UserError.
 void write_coverage_picture(const std::string& path, const std::vector<CalibrationView>& views,
                             const Calibration& calibration);
 

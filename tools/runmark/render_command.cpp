@@ -16,12 +16,14 @@
 #include <vector>
 
 #include "errors.h"
+#include "render/board_scene.h"
 #include "render/camera_path.h"
 #include "render/colour.h"
 #include "render/samples.h"
 #include "render/standard_sets.h"
 #include "render/truth_json.h"
 #include "render_options.h"
+#include "runmark/board_file.h"
 #include "runmark/dictionary.h"
 
 namespace runmark::cli {
@@ -112,6 +114,7 @@ struct Job {
   render::Recipe recipe;
   std::shared_ptr<const Dictionary> dictionary;
   std::uint64_t seed = 0;
+  std::shared_ptr<const Board> board = nullptr;  // of which it is a view
 };
 
 std::shared_ptr<const Dictionary> dictionary_of(const std::string& name) {
@@ -147,6 +150,48 @@ std::vector<Job> set_jobs(const RenderOptions& o) {
   return jobs;
 }
 
+// Views of a board: well lit, in focus and as large as the set's pictures, unless the options say otherwise.
+std::vector<Job> board_jobs(const RenderOptions& o) {
+  const auto board = std::make_shared<const Board>(value_or_throw(load_board(o.board), "--board"));
+  if (!board->charuco && !board->grid)
+    throw UserError("--board " + o.board + ": is no grid and no ChArUco board");
+  if (o.frames > 0) throw UserError("--frames: views of a board are pictures");
+  const render::StandardSet* set = render::find_standard_set(o.set);
+  render::Recipe recipe;
+  recipe.width = set != nullptr ? set->recipe.width : recipe.width;
+  recipe.height = set != nullptr ? set->recipe.height : recipe.height;
+  recipe.tilt = {5, 50};
+  recipe.level = {0.8, 1.1};
+  recipe.blur = {0.4, 1};
+  recipe.noise = {1, 3};
+  recipe.motion = recipe.lamps = recipe.shadows = recipe.jpeg = {};
+  recipe.distortion = {1, {-0.08, -0.03}};
+  recipe = recipe_of(o, recipe);
+  const auto dictionary = dictionary_of(board->markers[0].dictionary);
+  std::vector<Job> jobs;
+  for (int i = 0; i < (o.scenes > 0 ? o.scenes : 20); ++i) {
+    char number[16];
+    std::snprintf(number, sizeof number, "_%04d", o.first + i);
+    jobs.push_back({std::string("board") + number, o.first + i, recipe, dictionary,
+                    render::set_seed("board", o.seed), board});
+  }
+  return jobs;
+}
+
+// The pose of the board, and the camera by the division model (src/render/camera.h).
+nlohmann::ordered_json board_truth(const render::BoardScene& made) {
+  const render::Vec3 x = made.plane.along_u;
+  const render::Vec3 y = made.plane.along_v;
+  const render::Vec3 z = render::cross(x, y);
+  const render::Vec3 t = made.plane.origin;
+  const render::Camera& camera = made.scene.camera;
+  return {{"translation", {t.x, t.y, t.z}},
+          {"rotation", {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}},
+          {"focal", camera.focal},
+          {"centre", {camera.centre_x(), camera.centre_y()}},
+          {"distortion", camera.distortion}};
+}
+
 std::vector<nlohmann::ordered_json> make_picture(const RenderOptions& o, const Job& job,
                                                  const render::Scene& scene) {
   const render::RenderedFrame frame = render::render(scene);
@@ -179,7 +224,9 @@ std::vector<nlohmann::ordered_json> make_video(const RenderOptions& o, const Job
 
 void run(const RenderOptions& o) {
   check_format(o);
-  const std::vector<Job> jobs = o.set == "samples" ? sample_jobs(o) : set_jobs(o);
+  const std::vector<Job> jobs = !o.board.empty()     ? board_jobs(o)
+                                : o.set == "samples" ? sample_jobs(o)
+                                                     : set_jobs(o);
   const auto photos = read_photos(o.background, jobs.front().recipe.width);
   std::error_code failed;
   fs::create_directories(o.output, failed);
@@ -190,8 +237,15 @@ void run(const RenderOptions& o) {
       o.jobs > 0 ? o.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   in_parallel(static_cast<int>(jobs.size()), threads, [&](int i) {
     const Job& job = jobs[static_cast<std::size_t>(i)];
-    const render::Scene scene = render::make_scene(job.recipe, *job.dictionary, job.seed, job.index, photos);
     auto& entries = made[static_cast<std::size_t>(i)];
+    if (job.board) {
+      const auto view =
+          render::make_board_scene(job.recipe, *job.board, *job.dictionary, job.seed, job.index);
+      entries = make_picture(o, job, view.scene);
+      entries[0]["board"] = board_truth(view);
+      return;
+    }
+    const render::Scene scene = render::make_scene(job.recipe, *job.dictionary, job.seed, job.index, photos);
     entries = o.frames > 0 ? make_video(o, job, scene) : make_picture(o, job, scene);
     for (auto& entry : entries) {
       entry["scene"]["set"] = o.set;

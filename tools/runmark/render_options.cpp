@@ -125,6 +125,9 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   c->add_option("--seed", o->seed, "Other scenes of the same kind; 0 is the standard set");
   c->add_option("--dict", o->dictionary,
                 "Dictionary name or .codes file; without it tag36h11, or the sample's own");
+  c->add_option("--board", o->board,
+                "Views of a board by one camera instead of scenes: charuco:DICT:COLUMNSxROWS:SQUARE:MARKER, "
+                "grid:DICT:COLUMNSxROWS:MARKER:GAP or a .json file of one of these");
   c->add_flag("--inverted", o->inverted, "White-on-black markers");
   c->add_option("--format", o->format, "png (default), pgm or jpg; of videos avi (default) or mp4")
       ->check(CLI::IsMember({"png", "pgm", "jpg", "avi", "mp4"}));

@@ -20,6 +20,7 @@ struct RenderOptions {
   int first = 0;
   std::uint64_t seed = 0;
   std::string dictionary;
+  std::string board;  ///< views of it instead of scenes; as load_board reads it
   bool inverted = false;
   std::string format;
   bool colour = false;
