@@ -72,4 +72,13 @@ for program in "$work"/examples/example_{detect,detect_c,stream_rows} "$work"/de
   found=$("$program" "$sample" | cut -d: -f1 | tr '\n' ',')
   [[ $found == "tag36h11 7,tag36h11 42," ]] || fail "$program found '$found'"
 done
+
+# The parts with needs of their own: a component each.
+camera=$work/camera.yml
+echo 'camera_matrix: {data: [300, 0, 159.5, 0, 300, 119.5, 0, 0, 1]}' >"$camera"
+found=$("$work/examples/example_pose" "$sample" "$camera" 0.1 | cut -d: -f1 | tr '\n' ',')
+[[ $found == "tag36h11 7,tag36h11 42," ]] || fail "example_pose found '$found'"
+for part in measure print; do
+  PKG_CONFIG_PATH=$lib/pkgconfig pkg-config --print-errors --exists "runmark_$part >= 0.1" || fail "pkg-config runmark_$part"
+done
 echo "installed $kind, built with find_package and pkg-config, ran"
