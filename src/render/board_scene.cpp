@@ -42,7 +42,9 @@ BoardScene make_board_scene(const Recipe& recipe, const Board& board, const Dict
   }
   const double w = recipe.width;
   const double h = recipe.height;
-  const double size = rng.uniform(0.4, 0.75) * std::min(w, h);
+  // By the longer side, so that narrow boards fit, too.
+  const double longer = rng.uniform(0.45, 0.85) * std::min(w, h);
+  const double size = longer * std::sqrt(std::min(right, bottom) / std::max(right, bottom));
   Stance stance;
   stance.place = {rng.uniform(0.25, 0.75) * w, rng.uniform(0.25, 0.75) * h};
   stance.distance = 1;
