@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "boards/plane_map.h"
+#include "camera/point_distance.h"
 #include "corner/quad.h"
 
 namespace runmark {
 namespace {
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double place_size(const BoardMarker& m) {
   return std::hypot(m.corners[1].x - m.corners[0].x, m.corners[1].y - m.corners[0].y);

@@ -3,6 +3,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "boards/board_markers.h"
+#include "pose/opencv_pose.h"
 #include "pose/planar_pose.h"
 #include "pose/refine_pose.h"
 #include "runmark/board_view.h"
@@ -46,9 +47,7 @@ Result<PoseEstimate> pose_in_space(const Observation& seen, const Camera& camera
                       cv::SOLVEPNP_SQPNP);
   std::optional<RefinedPose> best;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    const auto* r = turns[i].ptr<double>();
-    const auto* t = places[i].ptr<double>();
-    const auto refined = refine_pose(seen, camera, pose_from({r[0], r[1], r[2]}, {t[0], t[1], t[2]}));
+    const auto refined = refine_pose(seen, camera, pose_from_opencv(turns[i], places[i]));
     if (refined && (!best || refined->chi2 < best->chi2)) best = refined;
   }
   if (!best) return Error{std::string(name) + ": no pose explains the corners"};

@@ -5,6 +5,7 @@
 
 #include "boards/chess_corner.h"
 #include "boards/plane_map.h"
+#include "camera/point_distance.h"
 
 namespace runmark {
 namespace {
@@ -15,8 +16,6 @@ struct Anchor {
   std::vector<Point> picture;
   Point middle;  // on the board
 };
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 class Finder {
  public:

@@ -7,6 +7,7 @@
 
 #include "boards/board_markers.h"
 #include "boards/plane_map.h"
+#include "camera/point_distance.h"
 #include "runmark/board_view.h"
 
 namespace runmark {
@@ -32,8 +33,6 @@ std::string describe(const CharucoLayout& layout, const CharucoLayout& given) {
   if (layout.turned) text += ", markers on their heads";
   return text;
 }
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// How large the markers seen are against those of the board; nothing when there are too few to tell.
 std::optional<double> relative_size(const Board& board, std::span<const Marker> found) {

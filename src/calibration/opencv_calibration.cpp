@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <opencv2/calib3d.hpp>
 
+#include "pose/opencv_pose.h"
+
 namespace runmark {
 namespace {
 
@@ -29,9 +31,7 @@ Points points_of(const std::vector<const CalibrationView*>& views) {
 std::vector<Pose> poses_of(const std::vector<cv::Mat>& turns, const std::vector<cv::Mat>& places) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    const auto* r = turns[i].ptr<double>();
-    const auto* t = places[i].ptr<double>();
-    poses.push_back(pose_from({r[0], r[1], r[2]}, {t[0], t[1], t[2]}));
+    poses.push_back(pose_from_opencv(turns[i], places[i]));
   }
   return poses;
 }

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "camera/lens.h"
+#include "camera/point_distance.h"
 
 namespace runmark {
 namespace {
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// Where the lens bends `from`, looked for from `start` on.
 std::optional<Point> unbend(const Camera& camera, Point from, Point start) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double used = 0.84;    // of the side: its ends are rounded by blur
 constexpr double spacing = 0.5;  // pixels across the side
-constexpr int most_lines = 60;
+constexpr int most_lines = 30;
 constexpr int most_half = 17;
 
 /// Lines across a side, each a row of grey levels from the inside to the outside.

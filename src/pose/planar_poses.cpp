@@ -2,6 +2,8 @@
 
 #include <opencv2/calib3d.hpp>
 
+#include "pose/opencv_pose.h"
+
 namespace runmark {
 
 std::vector<Pose> planar_poses(const std::vector<Point3>& object, const std::vector<Point>& directions) {
@@ -15,9 +17,7 @@ std::vector<Pose> planar_poses(const std::vector<Point3>& object, const std::vec
                       cv::SOLVEPNP_IPPE);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    const auto* r = turns[i].ptr<double>();
-    const auto* t = places[i].ptr<double>();
-    poses.push_back(pose_from({r[0], r[1], r[2]}, {t[0], t[1], t[2]}));
+    poses.push_back(pose_from_opencv(turns[i], places[i]));
   }
   return poses;
 }

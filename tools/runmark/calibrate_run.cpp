@@ -16,11 +16,7 @@ namespace runmark::cli {
 namespace {
 
 DetectorSettings with_dictionaries(DetectorSettings detector, const Board& board) {
-  for (const BoardMarker& marker : board.markers) {
-    if (!marker.dictionary.empty() && std::ranges::count(detector.dictionary_names, marker.dictionary) == 0) {
-      detector.dictionary_names.push_back(marker.dictionary);
-    }
-  }
+  add_dictionaries_of(board, detector);
   return detector;
 }
 

@@ -1,5 +1,6 @@
 #include "detector_settings.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string_view>
@@ -109,6 +110,15 @@ void add_detector_options(CLI::App& command, DetectorSettings& settings) {
       ->type_name("4|8");
   add_filter(command, options);
   add_region(command, options);
+}
+
+void add_dictionaries_of(const Board& board, DetectorSettings& settings) {
+  std::vector<std::string>& names = settings.dictionary_names;
+  for (const BoardMarker& marker : board.markers) {
+    if (!marker.dictionary.empty() && std::ranges::count(names, marker.dictionary) == 0) {
+      names.push_back(marker.dictionary);
+    }
+  }
 }
 
 std::vector<Dictionary> load_dictionaries(const DetectorSettings& settings) {

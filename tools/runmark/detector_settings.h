@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runmark/board.h"
 #include "runmark/dictionary.h"
 #include "runmark/options.h"
 
@@ -17,6 +18,9 @@ struct DetectorSettings {
 
 /// Adds --dict, --pipeline and the detector's tunables to a command.
 void add_detector_options(CLI::App& command, DetectorSettings& settings);
+
+/// Adds those of the board's markers to the dictionaries asked for.
+void add_dictionaries_of(const Board& board, DetectorSettings& settings);
 
 /// The dictionaries asked for, or the default set. Throws UserError.
 [[nodiscard]] std::vector<Dictionary> load_dictionaries(const DetectorSettings& settings);

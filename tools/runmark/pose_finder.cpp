@@ -1,6 +1,5 @@
 #include "pose_finder.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "errors.h"
@@ -28,11 +27,7 @@ PoseFinder::PoseFinder(const PoseSettings& settings)
 }
 
 void PoseFinder::add_dictionaries(DetectorSettings& detector) const {
-  if (!board_ || !detector.dictionary_names.empty()) return;
-  for (const BoardMarker& marker : board_->markers) {
-    const bool known = std::ranges::count(detector.dictionary_names, marker.dictionary) > 0;
-    if (!known && !marker.dictionary.empty()) detector.dictionary_names.push_back(marker.dictionary);
-  }
+  if (board_) add_dictionaries_of(*board_, detector);
 }
 
 FramePoses PoseFinder::find(const Frame& frame, std::span<const Marker> markers) const {

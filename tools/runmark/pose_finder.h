@@ -35,7 +35,7 @@ class PoseFinder {
   /// Throws UserError for a file that cannot be read and options that do not go together.
   explicit PoseFinder(const PoseSettings& settings);
 
-  /// The dictionaries of the board, for those who name none.
+  /// The dictionaries of the board are looked for as well.
   void add_dictionaries(DetectorSettings& detector) const;
 
   [[nodiscard]] bool has_poses() const { return camera_.has_value(); }
