@@ -58,13 +58,19 @@ class Calibrate(CommandTest):
         frames = [int(number) for number in re.findall(r"avi frame (\d+)", result.stdout.decode())]
         self.assertEqual([frame // 5 for frame in frames], list(range(6)))
 
-    def test_wide_lens_models(self):
-        folder, truth = self.render()
-        for lens in ("rational", "fisheye"):
-            result = self.calibrate(folder, "--lens", lens)
+    def test_every_lens_model_gives_the_true_pose_of_another_view(self):
+        folder, truth = self.render(views=10)
+        views = [pathlib.Path(folder, view["image"]) for view in truth]
+        for lens in ("plain", "rational", "fisheye"):
+            camera = self.path(f"{lens}.yml")
+            result = self.calibrate(*views[1:], "--lens", lens, "-o", camera)
             self.assertEqual((result.stderr, result.returncode), (b"", 0))
-            focal = truth[0]["board"]["focal"]
-            self.assertLess(abs(float(re.search(r"fx +([\d.]+)", result.stdout.decode())[1]) - focal), 0.01 * focal)
+            result = self.run_program("detect", "-f", "jsonl", views[0], "--camera-info", camera, "--board", BOARD)
+            self.assertEqual((result.stderr, result.returncode), (b"", 0))
+            pose = json.loads(result.stdout)["board"]["pose"]
+            exact = truth[0]["board"]["translation"]
+            for a, b in zip(pose["translation"], exact):
+                self.assertAlmostEqual(a, b, delta=0.002 * exact[2], msg=lens)
 
     def test_inverted_board(self):
         folder, _ = self.render("--inverted", views=5)

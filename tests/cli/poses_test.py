@@ -4,7 +4,10 @@ import csv
 import io
 import json
 import math
+import os
 import pathlib
+import re
+import unittest
 
 import scene
 from command import CommandTest
@@ -128,3 +131,22 @@ class Poses(CommandTest):
         self.expect_error(run("--camera-info", self.camera, "--marker-size", "1"), "page.pgm", "320 x 240", "640 x 240")
         self.expect_error(run("--board", "hexagons"), "a board is a .json file")
         self.expect_error(run("--board", "grid:DICT_4X4_50:2x1:1:1", "-f", "csv"), "--board has no place in csv")
+
+
+REAL = pathlib.Path(os.environ.get("RUNMARK_SHARED", scene.SOURCE.parent / "shared")) / "real-images"
+
+
+@unittest.skipUnless(REAL.is_dir(), f"{REAL} is not there: no real photo is measured")
+class RealPoses(CommandTest):
+    def test_are_where_the_aruco_library_has_them(self):
+        """A photo of the ArUco library's own tests, with its camera and the poses it expects."""
+        frame, = self.detect(REAL / "images/aruco__image-test_1.png", "--camera-info", REAL / "calib/uco_single_intrinsics.yml",
+                             "--marker-size", "1", dictionary="DICT_ARUCO_ORIGINAL")
+        expected = dict(re.findall(r"id: (\d+)\s+Tvec: \[([^]]*)\]", (REAL / "calib/uco_single_expected.yml").read_text()))
+        self.assertEqual(sorted(marker["id"] for marker in frame["markers"]), sorted(map(int, expected)))
+        for marker in frame["markers"]:
+            place = [float(value) for value in expected[str(marker["id"])].split(",")]
+            self.assertLess(math.dist(marker["pose"]["translation"], place), 0.02 * math.hypot(*place))
+            # All lie on one table: their frames are turned alike.
+            turn = marker["pose"]["rotation_vector"]
+            self.assertLess(math.dist(turn, frame["markers"][0]["pose"]["rotation_vector"]), 0.25)
