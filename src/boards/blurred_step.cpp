@@ -27,10 +27,12 @@ struct Table {
   }
 };
 
+// Made once when the program starts: asking each time whether it is there would cost more than the look-up.
+const Table table;
+
 }  // namespace
 
 BlurredStep blurred_step(double distance, double width) {
-  static const Table table;
   const double t = distance / width;
   if (!(std::fabs(t) < reach)) return {t < 0 ? -1.0 : 1.0, 0, 0};
   const double place = (t + reach) * per_unit;

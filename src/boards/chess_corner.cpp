@@ -1,12 +1,11 @@
 #include "boards/chess_corner.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "boards/blurred_step.h"
+#include "boards/crossing_shape.h"
 #include "pose/damped_step.h"
 
 namespace runmark {
@@ -49,74 +48,41 @@ struct Linearised {
   double square_error = 0;
 };
 
-/// What the corners of the two drawings add: quarter planes that look like the plain squares.
-struct Drawings {
-  double from_u = 0;  // distance of their edges from the upright edge, in pixels
-  double from_v = 0;
-  bool on_diagonal = false;  // they are in the squares to the right below and the left above
-};
-
-/// A value between -1 and 1 and its derivatives by u, v and the width.
-struct Shape {
-  double value;
-  double by_u;
-  double by_v;
-  double by_width;
-};
-
-Shape shape_of(double u, double v, double width, const Drawings& drawings) {
-  const BlurredStep step_u = blurred_step(u, width);
-  const BlurredStep step_v = blurred_step(v, width);
-  Shape shape{step_u.value * step_v.value, step_u.by_distance * step_v.value,
-              step_u.value * step_v.by_distance,
-              step_u.by_width * step_v.value + step_u.value * step_v.by_width};
-  for (const double side_u : {-1.0, 1.0}) {
-    const double side_v = drawings.on_diagonal ? side_u : -side_u;
-    const double in_u = side_u * u - drawings.from_u;
-    const double in_v = side_v * v - drawings.from_v;
-    if (std::min(in_u, in_v) < -4 * width) continue;
-    const BlurredStep a = blurred_step(in_u, width);
-    const BlurredStep b = blurred_step(in_v, width);
-    // Two times the product of steps from 0 to 1, towards the plain squares.
-    const double sign = drawings.on_diagonal ? -0.5 : 0.5;
-    shape.value += sign * (1 + a.value) * (1 + b.value);
-    shape.by_u += sign * side_u * a.by_distance * (1 + b.value);
-    shape.by_v += sign * side_v * (1 + a.value) * b.by_distance;
-    shape.by_width += sign * (a.by_width * (1 + b.value) + (1 + a.value) * b.by_width);
-  }
-  return shape;
-}
-
-Linearised linearise(const std::vector<Pixel>& pixels, const Crossing& c, const Drawings& drawings) {
+Linearised linearise(const std::vector<Pixel>& pixels, const Crossing& c, const CrossingDrawings& drawings) {
+  constexpr int n = Crossing::parameters;
+  constexpr int row = n + 1;  // even, so that the compiler takes two columns at a time
   const Point nu{std::cos(c.angle_u), std::sin(c.angle_u)};
   const Point nv{std::cos(c.angle_v), std::sin(c.angle_v)};
-  Linearised sums;
+  double information[n][row]{};  // its last column is the gradient
+  double square_error = 0;
   for (const Pixel& pixel : pixels) {
     const double dx = pixel.x - c.place.x;
     const double dy = pixel.y - c.place.y;
-    const Shape shape = shape_of(nu.x * dx + nu.y * dy, nv.x * dx + nv.y * dy, c.width, drawings);
+    const CrossingShape shape =
+        shape_of_crossing(nu.x * dx + nu.y * dy, nv.x * dx + nv.y * dy, c.width, drawings);
     const double by_u = c.contrast * shape.by_u;
     const double by_v = c.contrast * shape.by_v;
-    const std::array<double, Crossing::parameters> by{-by_u * nu.x - by_v * nv.x - c.slope.x,
-                                                      -by_u * nu.y - by_v * nv.y - c.slope.y,
-                                                      by_u * (-nu.y * dx + nu.x * dy),
-                                                      by_v * (-nv.y * dx + nv.x * dy),
-                                                      c.contrast * shape.by_width,
-                                                      1,
-                                                      dx,
-                                                      dy,
-                                                      shape.value};
     const double offset = pixel.level - (c.mean + c.slope.x * dx + c.slope.y * dy + c.contrast * shape.value);
-    sums.square_error += offset * offset;
-    for (int i = 0; i < Crossing::parameters; ++i) {
-      sums.gradient[i] += offset * by[static_cast<std::size_t>(i)];
-      for (int j = 0; j <= i; ++j) {
-        sums.information(i, j) += by[static_cast<std::size_t>(i)] * by[static_cast<std::size_t>(j)];
-      }
+    const double by[row]{-by_u * nu.x - by_v * nv.x - c.slope.x,
+                         -by_u * nu.y - by_v * nv.y - c.slope.y,
+                         by_u * (-nu.y * dx + nu.x * dy),
+                         by_v * (-nv.y * dx + nv.x * dy),
+                         c.contrast * shape.by_width,
+                         1,
+                         dx,
+                         dy,
+                         shape.value,
+                         offset};
+    square_error += offset * offset;
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < row; ++k) information[i][k] += by[i] * by[k];
     }
   }
-  for (int i = 0; i < Crossing::parameters; ++i) {
-    for (int j = 0; j < i; ++j) sums.information(j, i) = sums.information(i, j);
+  Linearised sums;
+  sums.square_error = square_error;
+  for (int i = 0; i < n; ++i) {
+    sums.gradient[i] = information[i][n];
+    for (int k = 0; k < n; ++k) sums.information(i, k) = information[i][k];
   }
   return sums;
 }
@@ -125,7 +91,7 @@ double length_of(Point v) { return std::hypot(v.x, v.y); }
 
 /// The pixels along the two edges; of the others only what lies before their drawing.
 std::vector<Pixel> pixels_about(const GreySampler& grey, const CornerGuess& guess) {
-  constexpr double farthest = 12;  // pixels along an edge
+  constexpr double farthest = 10;  // pixels along an edge
   constexpr double deepest = 3;    // pixels into a plain square
   const double det = guess.right.x * guess.down.y - guess.right.y * guess.down.x;
   const double side = std::min(length_of(guess.right), length_of(guess.down));
@@ -191,8 +157,8 @@ std::optional<ChessCorner> fit_chess_corner(const GreySampler& grey, const Corne
   const double variance = first.contrast * first.contrast;
   if (variance < 1) return {};
   const double det = guess.right.x * guess.down.y - guess.right.y * guess.down.x;
-  const Drawings drawings{guess.margin * det / length_of(guess.down),
-                          guess.margin * det / length_of(guess.right), !guess.plain_first};
+  const CrossingDrawings drawings{guess.margin * det / length_of(guess.down),
+                                  guess.margin * det / length_of(guess.right), !guess.plain_first};
   Crossing here = first;
   Linearised sums = linearise(pixels, here, drawings);
   double damping = 1e-3;

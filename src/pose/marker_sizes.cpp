@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace runmark {
 namespace {
@@ -51,9 +52,9 @@ Result<MarkerSizes> MarkerSizes::parse(std::span<const std::string> texts) {
 }
 
 std::optional<double> MarkerSizes::of(const Marker& marker) const {
-  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    const bool named = entry->dictionary.empty() || entry->dictionary == marker.dictionary;
-    if (named && marker.id >= entry->first_id && marker.id <= entry->last_id) return entry->size;
+  for (const Entry& entry : entries_ | std::views::reverse) {
+    const bool named = entry.dictionary.empty() || entry.dictionary == marker.dictionary;
+    if (named && marker.id >= entry.first_id && marker.id <= entry.last_id) return entry.size;
   }
   return {};
 }
