@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -25,5 +26,13 @@ struct Marker {
   bool inverted = false;  ///< white on black
   int row = -1;           ///< the frame row that had come in when the marker was given out
 };
+
+/// The first and the last row of the frame that a marker's square reaches, in pixels: a camera with a rolling
+/// shutter saw it between these times the time from one row to the next.
+[[nodiscard]] inline std::array<double, 2> rows_of(const Marker& marker) {
+  const auto [first, last] =
+      std::minmax({marker.corners[0].y, marker.corners[1].y, marker.corners[2].y, marker.corners[3].y});
+  return {first, last};
+}
 
 }  // namespace runmark

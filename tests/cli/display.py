@@ -42,10 +42,12 @@ class DisplayTest(CommandTest):
         self.fail(f"waited in vain for {what}")
 
     def view(self, *arguments):
+        self.start_view("--dict", "DICT_4X4_50", "--screenshots", self.path("shots"), *arguments)
+
+    def start_view(self, *arguments, **keywords):
         """Starts the program and puts the keyboard into its window."""
-        self.viewer = subprocess.Popen(
-            [PROGRAM, "view", "--dict", "DICT_4X4_50", "--screenshots", self.path("shots"), *map(str, arguments)],
-            env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.viewer = subprocess.Popen([PROGRAM, "view", *map(str, arguments)], env=self.environment,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **keywords)
         self.addCleanup(self.viewer.stderr.close)
         self.addCleanup(self.viewer.stdout.close)
         self.addCleanup(self.viewer.wait)

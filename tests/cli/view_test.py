@@ -84,6 +84,27 @@ class View(DisplayTest):
         self.press("q")
         self.expect_end(0)
 
+    def test_axes_by_key(self):
+        scene.write_png(self.path("desk.png"), page(100))
+        camera = pathlib.Path(self.path("camera.yaml"))
+        camera.write_text("image_width: 640\nimage_height: 480\ndistortion_model: plumb_bob\n"
+                          "camera_matrix: {rows: 3, cols: 3, data: [600, 0, 319.5, 0, 600, 239.5, 0, 0, 1]}\n"
+                          "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n")
+        self.view("--camera-info", camera, "--marker-size", "0.1", self.path("desk.png"))
+
+        def reds_right_of_the_middle():
+            width, _, data = self.screenshot()
+            row = data[3 * width * 108:][:3 * width]  # through the middle of the marker, along its x axis
+            return sum(row[3 * x] > 200 and row[3 * x + 1] < 120 for x in range(160, 190))
+        with_axes = reds_right_of_the_middle()
+        self.press("a")
+        self.wait_for("a picture without axes", lambda: reds_right_of_the_middle() == 0)
+        self.press("a")
+        self.wait_for("the axes again", lambda: reds_right_of_the_middle() == with_axes)
+        self.press("q")
+        self.expect_end(0)
+        self.assertGreater(with_axes, 20)
+
     def test_help_lies_over_the_picture(self):
         scene.write_png(self.path("desk.png"), page(100))
         self.view(self.path("desk.png"))

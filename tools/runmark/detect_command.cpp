@@ -38,6 +38,20 @@ void add_detect_command(CLI::App& app) {
                    "Draw the markers into the pictures: an image file for one image, an .mp4 or .avi for "
                    "one video, a folder for several inputs")
       ->type_name("PATH");
+  command
+      ->add_option(
+          "--confirm", settings->confirm,
+          "Print a marker only when it has been seen in this many frames of a video, near where it was "
+          "before; pictures count as frames of one")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->type_name("N");
+  command
+      ->add_option(
+          "--row-time", settings->row_time,
+          "Rolling shutter: microseconds from one row to the next; prints when each marker was seen, "
+          "counted from the first row")
+      ->check(CLI::Range(1e-6, 1e6).description(""))
+      ->type_name("US");
   command->add_flag("--stats", settings->stats, "Also print each frame's time and counts (not with csv)");
   command->add_flag("--strict", settings->strict, "Stop at the first input that cannot be read");
   settings->jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
@@ -56,6 +70,9 @@ void add_detect_command(CLI::App& app) {
   command->callback([settings, format] {
     if (settings->resume && format->count() == 0) settings->format = "jsonl";
     if (settings->resume && settings->format != "jsonl") throw UserError("--resume goes with jsonl only");
+    if (settings->resume && settings->confirm > 1) {
+      throw UserError("--confirm: what was seen before a run was stopped is not known to --resume");
+    }
     if (settings->stats && settings->format == "csv") throw UserError("--stats has no place in csv");
     if (!settings->poses.board.empty() && settings->format == "csv")
       throw UserError("--board has no place in csv");

@@ -65,9 +65,10 @@ DetectRun::DetectRun(DetectSettings settings)
       earlier_(settings_.resume ? read_earlier_run(settings_.output, inputs_)
                                 : EarlierRun{0, std::vector<EarlierFrames>(inputs_.size())}),
       detectors_(make_detectors(workers_for(inputs_, settings_.jobs), settings_.detector)),
-      format_(make_marker_format(settings_.format, poses_.has_poses())),
+      format_(make_marker_format(settings_.format, {poses_.has_poses(), settings_.row_time})),
       output_(open_output(settings_, inputs_, earlier_.bytes)),
       broken_(inputs_.size()) {
+  if (settings_.confirm > 1) confirmation_.emplace(settings_.confirm);
   if (settings_.annotate.empty()) return;
   if (settings_.resume && std::ranges::any_of(inputs_, &Input::moving)) {
     throw UserError("--resume: a video cannot be annotated by two runs");
@@ -162,15 +163,16 @@ void DetectRun::detect(FittingDetector& detector, Step& step) const {
   const auto start = Clock::now();
   const Detection found = detector.detect(*step.frame);
   const std::chrono::duration<double, std::milli> time = Clock::now() - start;
-  const FrameReport report{detector.stats(), time.count()};
-  if (!poses_.is_idle()) step.poses = poses_.find(*step.frame, found.markers);
-  step.lines = format_->frame(*step.frame, found.markers, poses_.is_idle() ? nullptr : &step.poses,
-                              settings_.stats ? &report : nullptr);
-  if (annotations_) {
-    step.markers.assign(found.begin(), found.end());
-  } else {
-    step.frame->pixels.release();
-  }
+  step.report = {detector.stats(), time.count()};
+  step.markers.assign(found.begin(), found.end());
+  if (!confirmation_) describe(step);
+}
+
+void DetectRun::describe(Step& step) const {
+  if (!poses_.is_idle()) step.poses = poses_.find(*step.frame, step.markers);
+  step.lines = format_->frame(*step.frame, step.markers, poses_.is_idle() ? nullptr : &step.poses,
+                              settings_.stats ? &step.report : nullptr);
+  if (!annotations_) step.frame->pixels.release();
 }
 
 void DetectRun::put(Step& step) {
@@ -178,6 +180,7 @@ void DetectRun::put(Step& step) {
   const bool wanted = !unwanted(step.input);
   if (!wanted && broken_ != step.input) return;
   if (annotations_ && step.rate) annotations_->begin(inputs_[step.input], *step.rate);
+  if (confirmation_ && step.rate && inputs_[step.input].moving()) confirmation_->restart();
   try {
     if (wanted && step.error) std::rethrow_exception(step.error);
     if (wanted && step.frame) put_frame(step);
@@ -188,7 +191,12 @@ void DetectRun::put(Step& step) {
   if (annotations_ && step.last) annotations_->end();
 }
 
-void DetectRun::put_frame(const Step& step) {
+void DetectRun::put_frame(Step& step) {
+  if (confirmation_) {
+    const std::span<const Marker> confirmed = confirmation_->next(step.markers);
+    step.markers.assign(confirmed.begin(), confirmed.end());
+    describe(step);
+  }
   if (output_.is_terminal()) progress_.clear();
   // The picture first: a frame whose line is there counts as done.
   if (annotations_) annotations_->write(*step.frame, step.markers, step.poses.axes);

@@ -18,6 +18,7 @@
 #include "output_file.h"
 #include "pose_finder.h"
 #include "progress.h"
+#include "runmark/confirmation.h"
 
 namespace runmark::cli {
 
@@ -29,6 +30,8 @@ struct DetectSettings {
   std::string output;
   bool resume = false;  ///< go on with what an earlier run wrote to `output`
   std::string annotate;
+  int confirm = 1;      ///< frames a marker must be seen in
+  double row_time = 0;  ///< of a rolling shutter, microseconds from row to row; 0: not asked for
   bool stats = false;
   bool strict = false;
   int jobs = 1;
@@ -53,6 +56,7 @@ class DetectRun {
     std::optional<std::int64_t> count;  ///< frames of the input, where known
     std::exception_ptr error;           ///< what came instead of the frame
     std::vector<Marker> markers;
+    FrameReport report;
     FramePoses poses;
     std::string lines;
   };
@@ -62,8 +66,10 @@ class DetectRun {
   void read_frames(std::size_t input, const Push& push);
   void work(FittingDetector& detector, Step& step) const;
   void detect(FittingDetector& detector, Step& step) const;
+  /// What is to be said of the step's markers.
+  void describe(Step& step) const;
   void put(Step& step);
-  void put_frame(const Step& step);
+  void put_frame(Step& step);
   void show_progress(const Step& step);
   /// Whether no frame after what went wrong at `input` is wanted.
   [[nodiscard]] bool unwanted(std::size_t input) const;
@@ -76,6 +82,7 @@ class DetectRun {
   std::unique_ptr<MarkerFormat> format_;
   OutputFile output_;
   std::optional<AnnotationOutput> annotations_;
+  std::optional<Confirmation> confirmation_;  // sees the frames in their order
   Progress progress_;
   std::int64_t frames_ = 0;
   std::string advice_;  // about the board, of the first frame that has some

@@ -27,6 +27,8 @@ double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 /// For people.
 class TextFormat : public MarkerFormat {
  public:
+  explicit TextFormat(const MarkerExtras& extras) : extras_(extras) {}
+
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
                                   const FramePoses* poses, const FrameReport* report) const override {
     const std::string count = markers.size() == 1 ? "1 marker" : std::to_string(markers.size()) + " markers";
@@ -35,6 +37,7 @@ class TextFormat : public MarkerFormat {
     text += format(", %d x %d: ", frame.pixels.cols, frame.pixels.rows) + count + '\n';
     for (std::size_t i = 0; i < markers.size(); ++i) {
       text += line(markers[i]);
+      if (extras_.row_time > 0) text += time_line(markers[i]);
       if (poses != nullptr && poses->markers[i]) text += line(*poses->markers[i]);
     }
     if (poses != nullptr && poses->has_board) text += board_line(*poses);
@@ -49,6 +52,12 @@ class TextFormat : public MarkerFormat {
     for (const Point& corner : marker.corners) text += format(" (%8.3f, %8.3f)", corner.x, corner.y);
     return text + format("  hamming %d  margin %.3f%s\n", marker.hamming, static_cast<double>(marker.margin),
                          marker.inverted ? "  inverted" : "");
+  }
+
+  [[nodiscard]] std::string time_line(const Marker& marker) const {
+    const auto [first, last] = rows_of(marker);
+    return format("    rows %.3f to %.3f: %.3f to %.3f us after the first row\n", first, last,
+                  first * extras_.row_time, last * extras_.row_time);
   }
 
   static std::string line(const PoseEstimate& estimate) {
@@ -77,11 +86,15 @@ class TextFormat : public MarkerFormat {
            number(s.quads) + " quads, " + number(s.records_peak) + " records at most, " +
            number(s.dropped_chains) + " chains and " + number(s.dropped_markers) + " markers dropped\n";
   }
+
+  MarkerExtras extras_;
 };
 
 /// One JSON object a frame.
 class JsonLinesFormat : public MarkerFormat {
  public:
+  explicit JsonLinesFormat(const MarkerExtras& extras) : extras_(extras) {}
+
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
                                   const FramePoses* poses, const FrameReport* report) const override {
     Json line{{"source", frame.source},
@@ -91,6 +104,7 @@ class JsonLinesFormat : public MarkerFormat {
               {"markers", Json::array()}};
     for (std::size_t i = 0; i < markers.size(); ++i) {
       line["markers"].push_back(to_json(markers[i]));
+      if (extras_.row_time > 0) add_times(markers[i], line["markers"].back());
       if (poses != nullptr && poses->markers[i])
         line["markers"].back()["pose"] = cli::to_json(*poses->markers[i]);
     }
@@ -119,6 +133,12 @@ class JsonLinesFormat : public MarkerFormat {
             {"inverted", marker.inverted}};
   }
 
+  void add_times(const Marker& marker, Json& json) const {
+    const auto [first, last] = rows_of(marker);
+    json["rows"] = {rounded(first), rounded(last)};
+    json["row_times_us"] = {rounded(first * extras_.row_time), rounded(last * extras_.row_time)};
+  }
+
   static Json to_json(const FrameStats& stats) {
     return {{"pixels", stats.pixels},
             {"crack_runs", stats.crack_runs},
@@ -128,17 +148,20 @@ class JsonLinesFormat : public MarkerFormat {
             {"dropped_chains", stats.dropped_chains},
             {"dropped_markers", stats.dropped_markers}};
   }
+
+  MarkerExtras extras_;
 };
 
 /// One row a marker, as RFC 4180 has it but for the line ends.
 class CsvFormat : public MarkerFormat {
  public:
-  explicit CsvFormat(bool with_poses) : with_poses_(with_poses) {}
+  explicit CsvFormat(const MarkerExtras& extras) : extras_(extras) {}
 
   [[nodiscard]] std::string header() const override {
     return std::string(
                "source,frame,width,height,dictionary,id,x0,y0,x1,y1,x2,y2,x3,y3,hamming,margin,inverted") +
-           (with_poses_ ? ",tx,ty,tz,qx,qy,qz,qw,error,ambiguity\n" : "\n");
+           (extras_.row_time > 0 ? ",first_row,last_row,first_us,last_us" : "") +
+           (extras_.poses ? ",tx,ty,tz,qx,qy,qz,qw,error,ambiguity\n" : "\n");
   }
 
   [[nodiscard]] std::string frame(const Frame& frame, std::span<const Marker> markers,
@@ -153,7 +176,8 @@ class CsvFormat : public MarkerFormat {
       for (const Point& corner : marker.corners) text += format(",%.3f,%.3f", corner.x, corner.y);
       text +=
           format(",%d,%.3f,%d", marker.hamming, static_cast<double>(marker.margin), marker.inverted ? 1 : 0);
-      if (with_poses_)
+      if (extras_.row_time > 0) text += fields(marker);
+      if (extras_.poses)
         text += poses != nullptr && poses->markers[i] ? fields(*poses->markers[i]) : ",,,,,,,,,";
       text += '\n';
     }
@@ -161,6 +185,11 @@ class CsvFormat : public MarkerFormat {
   }
 
  private:
+  [[nodiscard]] std::string fields(const Marker& marker) const {
+    const auto [first, last] = rows_of(marker);
+    return format(",%.3f,%.3f,%.3f,%.3f", first, last, first * extras_.row_time, last * extras_.row_time);
+  }
+
   static std::string fields(const PoseEstimate& estimate) {
     const Point3& t = estimate.best.pose.translation;
     const auto [x, y, z, w] = quaternion(estimate.best.pose);
@@ -175,15 +204,15 @@ class CsvFormat : public MarkerFormat {
     return text + '"';
   }
 
-  bool with_poses_;
+  MarkerExtras extras_;
 };
 
 }  // namespace
 
-std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name, bool with_poses) {
-  if (name == "jsonl") return std::make_unique<JsonLinesFormat>();
-  if (name == "csv") return std::make_unique<CsvFormat>(with_poses);
-  return std::make_unique<TextFormat>();
+std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name, const MarkerExtras& extras) {
+  if (name == "jsonl") return std::make_unique<JsonLinesFormat>(extras);
+  if (name == "csv") return std::make_unique<CsvFormat>(extras);
+  return std::make_unique<TextFormat>(extras);
 }
 
 }  // namespace runmark::cli

@@ -33,8 +33,14 @@ class MarkerFormat {
                                           const FramePoses* poses, const FrameReport* report) const = 0;
 };
 
+/// What is said of each marker beside what was found.
+struct MarkerExtras {
+  bool poses = false;   ///< csv: columns for them
+  double row_time = 0;  ///< microseconds from row to row; 0: nothing is said of times
+};
+
 /// `name` is text, jsonl or csv.
-/// @param with_poses  csv: columns for the markers' poses
-[[nodiscard]] std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name, bool with_poses);
+[[nodiscard]] std::unique_ptr<MarkerFormat> make_marker_format(std::string_view name,
+                                                               const MarkerExtras& extras);
 
 }  // namespace runmark::cli

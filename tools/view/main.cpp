@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   ViewSettings settings;
   app.add_option("INPUT", settings.inputs, input_help)->required()->type_name("");
   add_detector_options(app, settings.detector);
+  add_pose_options(app, settings.poses);
   app.add_option("--screenshots", settings.screenshots, "Folder for screenshots; the current one without it")
       ->type_name("DIR");
   app.footer(view_keys);

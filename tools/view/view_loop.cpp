@@ -15,6 +15,7 @@
 #include "output_file.h"
 #include "playback.h"
 #include "png_file.h"
+#include "pose_finder.h"
 #include "view_picture.h"
 #include "window.h"
 
@@ -27,12 +28,13 @@ using Clock = std::chrono::steady_clock;
 constexpr int escape = 27;
 constexpr int idle_milliseconds = 30;  // between looks at the window while nothing moves
 
-const std::array<std::string, 8> help_lines{"1 original    2 threshold    3 preprocess",
+const std::array<std::string, 9> help_lines{"1 original    2 threshold    3 preprocess",
                                             "4 contours    5 corners    6 sample grid    7 markers",
                                             "space    pause, go on",
                                             "n    next image; while paused, next frame",
                                             "m    next input        b    input before",
                                             "s    screenshot",
+                                            "a    axes of poses, on and off",
                                             "h    this help",
                                             "q, Escape    quit"};
 
@@ -60,11 +62,17 @@ const char* name_of(Stage stage) {
   return names.at(static_cast<std::size_t>(static_cast<char>(stage) - '1'));
 }
 
+std::vector<Dictionary> dictionaries_for(DetectorSettings detector, const PoseFinder& poses) {
+  poses.add_dictionaries(detector);
+  return load_dictionaries(detector);
+}
+
 class View {
  public:
   explicit View(const ViewSettings& settings)
-      : settings_(settings),
-        dictionaries_(load_dictionaries(settings.detector)),
+      : poses_(settings.poses),
+        settings_(settings),
+        dictionaries_(dictionaries_for(settings.detector, poses_)),
         detector_(settings.detector.options, dictionaries_),
         playback_(find_inputs(settings.inputs)) {}
 
@@ -115,14 +123,21 @@ class View {
     const Detection found = detector_.detect(playback_.frame());
     milliseconds_ = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     markers_.assign(found.begin(), found.end());
+    if (!poses_.is_idle()) found_poses_ = poses_.find(playback_.frame(), markers_);
     message_.clear();
   }
 
   void draw() {
     const Frame& frame = playback_.frame();
-    const cv::Mat picture = stage_ == Stage::markers
-                                ? annotate(frame.pixels, markers_)
-                                : draw_stage(frame, stage_, settings_.detector.options, dictionaries_);
+    cv::Mat picture;
+    if (stage_ == Stage::markers) {
+      picture = annotate(frame.pixels, markers_);
+      for (const AxesPicture& axes : found_poses_.axes) {
+        if (axes_) draw_axes(picture, axes);
+      }
+    } else {
+      picture = draw_stage(frame, stage_, settings_.detector.options, dictionaries_);
+    }
     const std::span<const std::string> lines =
         help_ ? std::span<const std::string>(help_lines) : std::span<const std::string>();
     shown_ = compose(picture, status(), lines);
@@ -169,6 +184,9 @@ class View {
       case 's':
         save();
         break;
+      case 'a':
+        axes_ = !axes_;
+        break;
       case 'h':
         help_ = !help_;
         break;
@@ -195,6 +213,7 @@ class View {
     message_ = "saved " + path.filename().string();
   }
 
+  PoseFinder poses_;
   const ViewSettings& settings_;
   std::vector<Dictionary> dictionaries_;
   FittingDetector detector_;
@@ -204,6 +223,7 @@ class View {
   Rate rate_;
   std::vector<Marker> markers_;  // of the frame shown
   double milliseconds_ = 0;      // they took
+  FramePoses found_poses_;
   cv::Mat shown_;
   std::string message_;
   Stage stage_ = Stage::markers;
@@ -211,6 +231,7 @@ class View {
   bool there_ = false;   // a frame is shown
   bool at_end_ = false;  // and no other follows it
   bool paused_ = false;
+  bool axes_ = true;
   bool help_ = false;
   bool broken_ = false;
   bool quit_ = false;

@@ -51,6 +51,10 @@ py::array_t<double> centre_of(const FoundMarker& found) {
   return result;
 }
 
+py::array_t<double> array_of(const std::array<double, 2>& values) {
+  return py::array_t<double>(2, values.data());
+}
+
 std::string repr(const FoundMarker& found) {
   const Marker& m = found.marker;
   std::array<char, 160> corners{};
@@ -92,6 +96,11 @@ void bind_marker(py::module_& module) {
       .def_property_readonly(
           "row", [](const FoundMarker& f) { return f.marker.row; },
           "The frame row that had come in when the marker was given out.")
+      .def_property_readonly(
+          "rows", [](const FoundMarker& f) { return array_of(rows_of(f.marker)); },
+          "float64 (2,): first and last row its square reaches, in pixels. Times the time from row to row, "
+          "that is "
+          "when a rolling shutter saw it.")
       .def("__repr__", repr);
 }
 
@@ -177,6 +186,15 @@ void bind_detection(py::module_& module) {
           "inverted",
           [](const FoundMarkers& f) { return column<bool>(f, [](const Marker& m) { return m.inverted; }); },
           "bool (N,): white on black.")
+      .def_property_readonly(
+          "rows",
+          [](const FoundMarkers& f) {
+            py::array_t<double> result({static_cast<py::ssize_t>(f.markers.size()), py::ssize_t{2}});
+            double* out = result.mutable_data();
+            for (const Marker& marker : f.markers) out = std::ranges::copy(rows_of(marker), out).out;
+            return result;
+          },
+          "float64 (N, 2): first and last row of each, in pixels; see Marker.rows.")
       .def_property_readonly(
           "size", [](const FoundMarkers& f) { return std::make_pair(f.width, f.height); },
           "Width and height of the frame, in pixels.")

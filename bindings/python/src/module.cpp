@@ -2,6 +2,7 @@
 
 #include "board.h"
 #include "camera.h"
+#include "confirmation.h"
 #include "detection.h"
 #include "detector.h"
 #include "dictionary.h"
@@ -15,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = RUNMARK_VERSION;
   runmark::python::bind_dictionary(module);
   runmark::python::bind_detection(module);
+  runmark::python::bind_confirmation(module);
   runmark::python::bind_row_stream(module);
   runmark::python::bind_detector(module);
   runmark::python::bind_camera(module);

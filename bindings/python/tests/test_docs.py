@@ -26,14 +26,15 @@ def test_the_python_page(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     pathlib.Path("camera.yaml").write_text(CAMERA)
     image = page([(7, 100, 100, 16), (12, 300, 200, 10)], size=(640, 480))
-    names = {"image": image, "width": 640, "height": 480, "camera": [image[:200], image[200:]],
+    names = {"image": image, "width": 640, "height": 480, "camera": [image[:200], image[200:]], "video": [image] * 4,
              "bits": np.random.default_rng(1).integers(0, 2, (5, 6, 6))}
     programs = blocks("python.md")
-    assert len(programs) == 4
+    assert len(programs) == 5
     for program in programs:
         exec(compile(program, "docs/python.md", "exec"), names)
     printed = capsys.readouterr().out
     assert "DICT_4X4_50 7" in printed and "known after row" in printed
+    assert names["times"].shape == (2, 2)
     assert names["found"].ids.shape == (2,) and names["picture"].shape == (200, 200)
 
 
