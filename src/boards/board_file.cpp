@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "camera/one_line.h"
 #include "runmark/pose.h"
 
 namespace runmark {
@@ -199,7 +200,7 @@ Result<Board> parse_board(std::string_view text) {
   } catch (const json::parse_error& error) {
     return Error{"this is no JSON: byte " + std::to_string(error.byte)};
   } catch (const std::exception& error) {
-    return Error{error.what()};
+    return Error{one_line(error.what())};
   }
 }
 

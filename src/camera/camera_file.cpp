@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "camera/one_line.h"
+
 namespace runmark {
 namespace {
 
@@ -34,23 +36,43 @@ double number(const YAML::Node& node, const std::string& what) {
   return value;
 }
 
-/// A plain list, a list of rows, or a matrix with its numbers under `data`.
-std::vector<double> numbers(const YAML::Node& node, const std::string& what) {
-  if (node.IsMap()) {
-    if (!node["data"]) throw Wrong(what + " has no data");
-    return numbers(node["data"], what);
-  }
-  if (!node.IsSequence()) throw Wrong(what + " is not a list of numbers");
-  std::vector<double> values;
-  for (const YAML::Node& item : node) {
-    if (item.IsSequence()) {
-      const std::vector<double> row = numbers(item, what);
-      values.insert(values.end(), row.begin(), row.end());
-    } else {
-      values.push_back(number(item, what));
+/// Takes numbers out of lists whose items may be lists. By YAML's aliases a list can hold itself, and a short
+/// file can be one of endless lists: so depth and items are counted.
+class NumberList {
+ public:
+  explicit NumberList(const std::string& what) : what_(what) {}
+
+  void add(const YAML::Node& node, int depth) {
+    if (depth > deepest) throw Wrong(what_ + " is nested too deeply");
+    if (node.IsMap()) {
+      if (!node["data"]) throw Wrong(what_ + " has no data");
+      return add(node["data"], depth + 1);
+    }
+    if (!node.IsSequence()) throw Wrong(what_ + " is not a list of numbers");
+    for (const YAML::Node& item : node) {
+      if (++items_ > most_items) throw Wrong(what_ + " has too many numbers");
+      if (item.IsSequence()) {
+        add(item, depth + 1);
+      } else {
+        values_.push_back(number(item, what_));
+      }
     }
   }
-  return values;
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+
+ private:
+  static constexpr int deepest = 4;      // a matrix, its data, its rows, and one more
+  static constexpr int most_items = 64;  // no list here has as many
+  const std::string& what_;
+  std::vector<double> values_;
+  int items_ = 0;
+};
+
+/// A plain list, a list of rows, or a matrix with its numbers under `data`.
+std::vector<double> numbers(const YAML::Node& node, const std::string& what) {
+  NumberList list(what);
+  list.add(node, 1);
+  return list.values();
 }
 
 int side(const YAML::Node& node, const char* what) {
@@ -179,9 +201,9 @@ Result<Camera> parse_camera(std::string_view text) {
   } catch (const YAML::Exception& error) {
     const std::string where =
         error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
-    return Error{where + "this is no YAML: " + error.msg};
+    return Error{one_line(where + "this is no YAML: " + error.msg)};
   } catch (const std::exception& error) {
-    return Error{error.what()};
+    return Error{one_line(error.what())};
   }
 }
 

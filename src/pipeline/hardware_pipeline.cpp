@@ -31,7 +31,8 @@ ContourRules HardwarePipeline::contour_rules(const Options& options) {
 IntegerQuadLimits HardwarePipeline::quad_limits(const Options& options) {
   const auto square = [](double size) { return static_cast<std::int64_t>(size * size); };
   IntegerQuadLimits limits;
-  limits.min_area = square(options.min_marker_size) * 4 / 5;  // the threshold may shrink a small square
+  limits.min_area =
+      square(std::min(options.min_marker_size, 65535.0)) * 4 / 5;  // the threshold may shrink a small square
   limits.max_area = square(std::min(options.max_marker_size, 65535.0)) * 6 / 5;
   limits.min_side = static_cast<int>(std::min(options.min_marker_size, 65535.0)) / 3;
   return limits;

@@ -30,6 +30,28 @@ TEST(CameraFile, ReadsWhatItWrites) {
   }
 }
 
+TEST(CameraFile, ListsThatHoldThemselvesOrGrowWithoutEndAreRefused) {
+  const auto itself = parse_camera("K: &a [1, *a]\n");
+  ASSERT_FALSE(itself);
+  EXPECT_NE(itself.error().find("nested too deeply"), std::string::npos) << itself.error();
+  std::string text = "a: &a [1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (char c = 'b'; c < 'n'; ++c) {
+    text += std::string(1, c) + ": &" + c + " [*" + static_cast<char>(c - 1);
+    for (int i = 0; i < 8; ++i) text += std::string(", *") + static_cast<char>(c - 1);
+    text += "]\n";
+  }
+  EXPECT_FALSE(parse_camera(text + "K: *m\n"));
+  EXPECT_FALSE(parse_camera(text + "K: *b\n"));
+}
+
+TEST(CameraFile, ErrorsAreOneLine) {
+  for (const char* text : {"a: \"\\\n\"", "distortion_model: \"a\\nb\"\nK: [1, 0, 1, 0, 1, 1, 0, 0, 1]"}) {
+    const auto camera = parse_camera(text);
+    ASSERT_FALSE(camera);
+    EXPECT_EQ(camera.error().find('\n'), std::string::npos) << camera.error();
+  }
+}
+
 TEST(CameraFile, OpenCvReadsWhatIsWrittenForIt) {
   for (const Camera& camera : test::cameras()) {
     const cv::FileStorage file(camera_text(camera, CameraFormat::opencv, 1),
