@@ -1,0 +1,189 @@
+// The plain form of each core against the fast one, in every vector extension of this processor, on any rows;
+// and the whole detector in each of them.
+
+#include <hwy/highway.h>
+
+#include <vector>
+
+#include "detectors.h"
+#include "pipeline/halve.h"
+#include "pipeline/halve_fast.h"
+#include "preprocess/crack_runs_fast.h"
+#include "preprocess/filter.h"
+#include "threshold/grey_fast.h"
+#include "threshold/tiles_fast.h"
+
+namespace runmark::fuzz {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using Words = std::vector<BitWord>;
+
+constexpr int most_width = 200;
+constexpr int most_height = 64;
+
+const std::vector<std::int64_t>& targets() {
+  static const std::vector<std::int64_t> all = [] {
+    std::vector<std::int64_t> found;
+    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
+      found.push_back(left & -left);
+    return found;
+  }();
+  return all;
+}
+
+template <class Work>
+void on_every_target(Work&& work) {
+  for (const std::int64_t target : targets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    work();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+/// Rows out of the fuzzer's bytes, each in memory of exactly its size.
+class Rows {
+ public:
+  explicit Rows(Bytes bytes) : bytes_(std::move(bytes)) {
+    if (bytes_.empty()) bytes_.push_back(0);
+  }
+  Bytes bytes(std::size_t count) {
+    Bytes row(count);
+    for (std::uint8_t& value : row) value = bytes_[at_++ % bytes_.size()];
+    return row;
+  }
+  Words bits(int width) {
+    Words words(bit_words(width));
+    const Bytes row = bytes(static_cast<std::size_t>(width));
+    for (int x = 0; x < width; ++x) set_bit(words.data(), x, row[static_cast<std::size_t>(x)] % 2 != 0);
+    return words;
+  }
+
+ private:
+  Bytes bytes_;
+  std::size_t at_ = 0;
+};
+
+void compare_grey(Rows& rows, int width, int step, PixelFormat format) {
+  const int channels = format == PixelFormat::grey ? 1 : 3;
+  if (step < channels) step = channels;
+  const Bytes pixels = rows.bytes(static_cast<std::size_t>((width - 1) * step + channels));
+  Bytes plain(static_cast<std::size_t>(width));
+  Bytes quick = plain;
+  grey_row(pixels.data(), width, step, format, plain.data());
+  on_every_target([&] {
+    fast::grey_row(pixels.data(), width, step, format, quick.data());
+    expect(quick == plain, "grey_row");
+  });
+}
+
+void compare_tiles(Rows& rows, int width, const TileRule& rule) {
+  const auto count = static_cast<std::size_t>(width);
+  const auto tiles = static_cast<std::size_t>(tiles_across(width));
+  std::array<Bytes, 4> grey;
+  for (Bytes& row : grey) row = rows.bytes(count);
+  const TileBand band{grey[0].data(), grey[1].data(), grey[2].data(), grey[3].data()};
+  std::array<Bytes, 3> low;
+  std::array<Bytes, 3> high;
+  std::array<TileExtremes, 3> bands;
+  for (std::size_t b = 0; b < 3; ++b) {
+    low[b] = rows.bytes(tiles);
+    high[b] = rows.bytes(tiles);
+    for (std::size_t i = 0; i < tiles; ++i) {
+      if (low[b][i] > high[b][i]) std::swap(low[b][i], high[b][i]);
+    }
+    bands[b] = {low[b].data(), high[b].data()};
+  }
+  Bytes lowest(tiles), highest(tiles), levels(tiles);
+  Words bits(bit_words(width));
+  tile_extremes(band, width, lowest.data(), highest.data());
+  tile_levels(bands, static_cast<int>(tiles), rule, levels.data());
+  threshold_row(grey[0].data(), width, levels.data(), bits.data());
+  on_every_target([&] {
+    Bytes quick_lowest(tiles), quick_highest(tiles), quick_levels(tiles);
+    Words quick_bits(bit_words(width));
+    fast::tile_extremes(band, width, quick_lowest.data(), quick_highest.data());
+    expect(quick_lowest == lowest && quick_highest == highest, "tile_extremes");
+    fast::tile_levels(bands, static_cast<int>(tiles), rule, quick_levels.data());
+    expect(quick_levels == levels, "tile_levels");
+    fast::threshold_row(grey[0].data(), width, levels.data(), quick_bits.data());
+    expect(quick_bits == bits, "threshold_row");
+  });
+}
+
+void compare_halves(Rows& rows, int width) {
+  const auto count = static_cast<std::size_t>(width);
+  const Bytes upper = rows.bytes(2 * count);
+  const Bytes lower = rows.bytes(2 * count);
+  Bytes plain(count);
+  Bytes quick(count);
+  halve_rows(upper.data(), lower.data(), width, plain.data());
+  on_every_target([&] {
+    fast::halve_rows(upper.data(), lower.data(), width, quick.data());
+    expect(quick == plain, "halve_rows");
+  });
+}
+
+void compare_bit_rows(Rows& rows, int width, std::uint8_t cases) {
+  const std::array<Words, 3> bits{rows.bits(width), rows.bits(width), rows.bits(width)};
+  Words plain(bit_words(width));
+  Words quick(bit_words(width));
+  filter_row_plain(bits[0].data(), bits[1].data(), bits[2].data(), width, cases, plain.data());
+  filter_row(bits[0].data(), bits[1].data(), bits[2].data(), width, cases, quick.data());
+  expect(quick == plain, "filter_row");
+  for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight}) {
+    std::vector<CrackRun> runs(max_crack_runs(width));
+    runs.resize(find_crack_runs(bits[0].data(), bits[1].data(), width, connectivity, runs));
+    std::vector<CrackRun> quick_runs(max_crack_runs(width) + fast::crack_runs_slack);
+    quick_runs.resize(fast::find_crack_runs(bits[0].data(), bits[1].data(), width, connectivity, quick_runs));
+    expect(quick_runs == runs, "find_crack_runs");
+  }
+}
+
+/// The whole detector finds the same with every extension, which the single cores cannot show.
+void compare_detectors(Rows& rows, int width, int height, const Options& chosen,
+                       const std::vector<Dictionary>& codes) {
+  const Bytes grey = rows.bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::optional<std::vector<Marker>> wanted;
+  on_every_target([&] {
+    Detector reader = detector(chosen, codes);
+    const Detection found = reader.detect(ImageView::grey(grey.data(), width, height, width));
+    expect(found.status == Status::ok, "the frame is read");
+    expect_sound(reader, found.markers, width, height);
+    if (!wanted) wanted.emplace(found.begin(), found.end());
+    expect(std::ranges::equal(found.markers, *wanted,
+                              [](Marker a, Marker b) {
+                                a.dictionary = b.dictionary = {};  // of another detector
+                                return same(a, b);
+                              }),
+           "all extensions find the same");
+  });
+}
+
+void run(FuzzedDataProvider& input) {
+  const int width = input.ConsumeIntegralInRange(1, most_width);
+  const int height = input.ConsumeIntegralInRange(1, most_height);
+  const int step = input.ConsumeIntegralInRange(1, 5);
+  const auto format = input.PickValueInArray({PixelFormat::grey, PixelFormat::rgb, PixelFormat::bgr});
+  const auto cases = input.ConsumeIntegralInRange<std::uint8_t>(0, filter_all);
+  const TileRule rule{input.ConsumeIntegralInRange(1, 255), input.ConsumeIntegralInRange(1, 16)};
+  const Options chosen = options(input, width, height);
+  const auto codes = dictionaries(input, chosen.pipeline);
+  Rows rows(input.ConsumeRemainingBytes<std::uint8_t>());
+  compare_detectors(rows, width, height, chosen, codes);
+  compare_grey(rows, width, step, format);
+  compare_tiles(rows, width, rule);
+  compare_halves(rows, width);
+  compare_bit_rows(rows, width, cases);
+}
+
+}  // namespace
+}  // namespace runmark::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedDataProvider input(data, size);
+  runmark::fuzz::run(input);
+  return 0;
+}
