@@ -10,8 +10,8 @@ CrossingShape shape_of_crossing(double u, double v, double width, const Crossing
   const BlurredStep step_u = blurred_step(u, width);
   const BlurredStep step_v = blurred_step(v, width);
   CrossingShape shape{step_u.value * step_v.value, step_u.by_distance * step_v.value,
-              step_u.value * step_v.by_distance,
-              step_u.by_width * step_v.value + step_u.value * step_v.by_width};
+                      step_u.value * step_v.by_distance,
+                      step_u.by_width * step_v.value + step_u.value * step_v.by_width};
   for (const double side_u : {-1.0, 1.0}) {
     const double side_v = drawings.on_diagonal ? side_u : -side_u;
     const double in_u = side_u * u - drawings.from_u;

@@ -20,6 +20,7 @@ struct CrossingShape {
 /// Two steps from -1 to 1 multiplied, blurred alike, with the drawings.
 /// @param u, v   distances from the upright and from the level edge, in pixels
 /// @param width  standard deviation of the blur, in pixels
-[[nodiscard]] CrossingShape shape_of_crossing(double u, double v, double width, const CrossingDrawings& drawings);
+[[nodiscard]] CrossingShape shape_of_crossing(double u, double v, double width,
+                                              const CrossingDrawings& drawings);
 
 }  // namespace runmark
