@@ -41,8 +41,8 @@ class DisplayTest(CommandTest):
             time.sleep(0.02)
         self.fail(f"waited in vain for {what}")
 
-    def view(self, *arguments):
-        self.start_view("--dict", "DICT_4X4_50", "--screenshots", self.path("shots"), *arguments)
+    def view(self, *arguments, **keywords):
+        self.start_view("--dict", "DICT_4X4_50", "--screenshots", self.path("shots"), *arguments, **keywords)
 
     def start_view(self, *arguments, **keywords):
         """Starts the program and puts the keyboard into its window."""

@@ -149,6 +149,19 @@ class View(DisplayTest):
         self.press("q")
         self.expect_end(0)
 
+    def test_a_stream_on_standard_input(self):
+        data = scene.y4m_bytes(scene.moving_marker(3, width=640, height=480))
+        path = pathlib.Path(self.path("stream"))
+        path.write_bytes(data)
+        with open(path, "rb") as stream:
+            self.view("-", stdin=stream)
+        self.press("1", "original: -")
+        self.wait_for("the last frame",
+                      lambda: picture_of(self.screenshot()) == scene.moving_marker(3, width=640, height=480)[2].rgb())
+        self.press("b")  # what is gone cannot be read again
+        self.press("q")
+        self.expect_end(0)
+
     def test_a_broken_picture_is_told_and_left_out(self):
         scene.write_png(self.path("0.png"), page(100))
         pathlib.Path(self.path("1.png")).write_bytes(b"\x89PNG and no more")
@@ -182,6 +195,7 @@ class WithoutADisplay(CommandTest):
         self.expect_error(self.run_view(self.path("desk.png")), "no display: DISPLAY is not set")
         self.expect_error(self.run_view(self.path("desk.png"), DISPLAY=":987"), "the display ':987' cannot be opened")
         self.expect_error(self.run_view(self.path("none.png")), "none.png: No such file")
+        self.expect_error(self.run_view("camera:x"), "camera:x: a camera is named by its number")
         self.expect_error(self.run_view(), "INPUT is required; see runmark view --help")
 
     def test_help(self):

@@ -1,10 +1,9 @@
 #include "fitting_detector.h"
 
-#include <algorithm>
-#include <bit>
 #include <string>
 
 #include "errors.h"
+#include "pipeline/size_class.h"
 
 namespace runmark::cli {
 
@@ -22,12 +21,8 @@ Detection FittingDetector::detect(const Frame& frame) {
 }
 
 void FittingDetector::fit(int width, int height) {
-  static constexpr int most_side = 65535;
-  const auto rounded = [](int side) {
-    return std::min(static_cast<int>(std::bit_ceil(static_cast<unsigned>(side))), most_side);
-  };
-  options_.max_width = rounded(width);
-  options_.max_height = rounded(height);
+  options_.max_width = size_class(width);
+  options_.max_height = size_class(height);
   const std::pair size(options_.max_width, options_.max_height);
   auto known = detectors_.find(size);
   if (known == detectors_.end()) {

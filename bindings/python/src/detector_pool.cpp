@@ -1,17 +1,10 @@
 #include "detector_pool.h"
 
 #include <algorithm>
-#include <bit>
+
+#include "pipeline/size_class.h"
 
 namespace runmark::python {
-namespace {
-
-int size_class(int side) {
-  constexpr int most_side = 65535;
-  return std::min(static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(side, 1)))), most_side);
-}
-
-}  // namespace
 
 Result<DetectorPool::Lease> DetectorPool::borrow(int width, int height, bool copy_rows) {
   Options wanted = options_;
