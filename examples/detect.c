@@ -6,28 +6,28 @@
 /* README.md shows the lines between the marks; a test compares them. */
 /* [readme] */
 static int print_markers(const uint8_t* grey, int width, int height) {
-  runmark_error error = {RUNMARK_OK, ""};
+  const runmark_image frame = runmark_grey_image(grey, width, height, width);
   runmark_dictionary* dictionary = NULL;
   runmark_detector* detector = NULL;
+  runmark_error error = {RUNMARK_OK, ""};
   runmark_options options;
   runmark_options_init(&options, RUNMARK_ABI_VERSION);
   options.max_width = width;
   options.max_height = height;
-  if (runmark_dictionary_load("tag36h11", &dictionary, &error) == RUNMARK_OK &&
-      runmark_detector_create(&options, &dictionary, 1, &detector, &error) == RUNMARK_OK) {
-    const runmark_image frame = runmark_grey_image(grey, width, height, width);
-    runmark_marker marker;
-    error.status = runmark_detect(detector, &frame);
-    for (size_t i = 0; runmark_get_marker(detector, i, &marker) == RUNMARK_OK; ++i) {
-      printf("%s %d: top-left corner %g, %g\n", marker.dictionary, (int)marker.id, marker.corners[0][0],
-             marker.corners[0][1]);
-    }
-  } else {
-    fprintf(stderr, "%s\n", error.message);
+
+  runmark_status status = runmark_dictionary_load("tag36h11", &dictionary, &error);
+  if (status == RUNMARK_OK) status = runmark_detector_create(&options, &dictionary, 1, &detector, &error);
+  if (status == RUNMARK_OK) status = runmark_detect(detector, &frame);
+  runmark_marker marker;
+  for (size_t i = 0; runmark_get_marker(detector, i, &marker) == RUNMARK_OK; ++i) {
+    printf("%s %d: top-left corner %g, %g\n", marker.dictionary, (int)marker.id, marker.corners[0][0],
+           marker.corners[0][1]);
   }
+  if (status != RUNMARK_OK) fprintf(stderr, "%s %s\n", runmark_describe(status), error.message);
+
   runmark_detector_free(detector);
   runmark_dictionary_free(dictionary);
-  return error.status == RUNMARK_OK;
+  return status == RUNMARK_OK;
 }
 /* [readme] */
 

@@ -155,8 +155,7 @@ void bind_board(py::module_& module) {
           "advice", [](const Board& b, const FoundMarkers& found) { return layout_advice(b, found.markers); },
           py::arg("detection"),
           "One line when the markers are not where this ChArUco board has them, but where another layout "
-          "would; else "
-          "empty.")
+          "would; else empty.")
       .def("__len__", [](const Board& b) { return b.markers.size(); })
       .def("__repr__",
            [](const Board& b) { return "<Board of " + std::to_string(b.markers.size()) + " markers>"; });

@@ -100,8 +100,7 @@ void bind_camera(py::module_& module) {
           },
           py::arg("points"),
           "points: (N, 3) in the camera's frame. Gives float64 (N, 2), their pictures in pixels; NaN for "
-          "those not "
-          "before the camera.")
+          "those not before the camera.")
       .def(
           "directions",
           [](const Camera& c, const Numbers& pixels) {
@@ -109,8 +108,7 @@ void bind_camera(py::module_& module) {
           },
           py::arg("pixels"),
           "pixels: (N, 2). Gives float64 (N, 2), x and y of the point with z = 1 in the direction of each; "
-          "NaN where "
-          "the lens model has none.")
+          "NaN where the lens model has none.")
       .def("__repr__", [](const Camera& c) {
         return "<Camera " + std::string(name_of(c.lens)) + ", fx " + std::to_string(c.fx) + ", fy " +
                std::to_string(c.fy) + ">";

@@ -80,17 +80,16 @@ void bind_marker(py::module_& module) {
           "id", [](const FoundMarker& f) { return f.marker.id; }, "Index of the code in the dictionary.")
       .def_property_readonly(
           "corners", corners_of,
-          "float64 (4, 2): x, y in pixels of the top-left, top-right, bottom-right and "
-          "bottom-left corner of the marker as it is drawn; the centre of the top-left pixel is "
-          "(0, 0).")
+          "float64 (4, 2): x, y in pixels of the top-left, top-right, bottom-right and bottom-left corner "
+          "of the marker as it is drawn; the centre of the top-left pixel is (0, 0).")
       .def_property_readonly("centre", centre_of,
                              "float64 (2,): x, y in pixels of the marker's middle, where its diagonals meet.")
       .def_property_readonly(
           "hamming", [](const FoundMarker& f) { return f.marker.hamming; }, "Wrong bits that were corrected.")
       .def_property_readonly(
           "margin", [](const FoundMarker& f) { return f.marker.margin; },
-          "How far the cells are from being read the other way, as a share of the contrast: 0 (doubtful) to "
-          "0.5 (clear).")
+          "How far the cells are from being read the other way, as a share of the contrast: 0 (doubtful) "
+          "to 0.5 (clear).")
       .def_property_readonly(
           "inverted", [](const FoundMarker& f) { return f.marker.inverted; }, "White on black.")
       .def_property_readonly(
@@ -99,16 +98,14 @@ void bind_marker(py::module_& module) {
       .def_property_readonly(
           "rows", [](const FoundMarker& f) { return array_of(rows_of(f.marker)); },
           "float64 (2,): first and last row its square reaches, in pixels. Times the time from row to row, "
-          "that is "
-          "when a rolling shutter saw it.")
+          "that is when a rolling shutter saw it.")
       .def("__repr__", repr);
 }
 
 void bind_stats(py::module_& module) {
   py::class_<FrameStats>(
       module, "FrameStats",
-      "Counts of one frame: the work that was done, and what a full capacity made the detector "
-      "drop.")
+      "Counts of one frame: the work that was done, and what a full capacity made the detector drop.")
       .def_readonly("pixels", &FrameStats::pixels, "Pixels thresholded, all octaves.")
       .def_readonly("crack_runs", &FrameStats::crack_runs, "Inputs of the contour core.")
       .def_readonly("closed_chains", &FrameStats::closed_chains, "Contours that closed.")
@@ -139,8 +136,7 @@ void bind_detection(py::module_& module) {
   bind_stats(module);
   py::class_<FoundMarkers>(
       module, "Detection",
-      "The markers of one frame: a sequence of Marker, and the same as arrays with a row a "
-      "marker.")
+      "The markers of one frame: a sequence of Marker, and the same as arrays with a row a marker.")
       .def("__len__", [](const FoundMarkers& f) { return f.markers.size(); })
       .def("__getitem__", item, py::arg("index"))
       .def("__iter__",
@@ -162,8 +158,7 @@ void bind_detection(py::module_& module) {
             return result;
           },
           "float64 (N, 4, 2): x, y in pixels; top-left, top-right, bottom-right, bottom-left of the marker "
-          "as it "
-          "is drawn; the centre of the top-left pixel is (0, 0).")
+          "as it is drawn; the centre of the top-left pixel is (0, 0).")
       .def_property_readonly(
           "dictionaries",
           [](const FoundMarkers& f) {
@@ -207,8 +202,7 @@ void bind_detection(py::module_& module) {
             return result;
           },
           "float64 (M, 4, 2): x, y in pixels of the squares in which no marker was read, clockwise; empty "
-          "unless "
-          "the detector has keep_rejected.")
+          "unless the detector has keep_rejected.")
       .def_readonly("stats", &FoundMarkers::stats, "What the frame's work came to.")
       .def("__repr__", [](const FoundMarkers& f) {
         return "<Detection of " + std::to_string(f.markers.size()) + " markers in " +

@@ -138,8 +138,8 @@ void bind_detector(py::module_& module) {
       .def_property_readonly("dictionaries", &names_of, "Names of the dictionaries it looks for.")
       .def_property_readonly(
           "memory", &DetectorPool::memory,
-          "Bytes it holds between calls: one set of buffers for each size of frame, by powers "
-          "of two, and for each thread that was in detect at once.")
+          "Bytes it holds between calls: one set of buffers for each size of frame, by powers of two, and "
+          "for each thread that was in detect at once.")
       .def("__repr__", [](const DetectorPool& pool) {
         std::string text = "<Detector of";
         for (const std::string& name : names_of(pool)) text += " " + name;

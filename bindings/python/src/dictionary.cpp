@@ -109,9 +109,9 @@ void bind_dictionary(py::module_& module) {
       .def_static(
           "from_bits", from_bits, py::arg("bits"), py::arg("name"), py::arg("corrected_bits") = 0,
           py::arg("symmetric") = std::vector<int>{},
-          "bits: (N, S, S), the data cells of N markers row by row, 1 is white; a black border of one "
-          "cell goes round them. symmetric: ids that may look the same turned, so that their first "
-          "corner is any of theirs.")
+          "bits: (N, S, S), the data cells of N markers row by row, 1 is white; a black border of one cell "
+          "goes round them. symmetric: ids that may look the same turned, so that their first corner is "
+          "any of theirs.")
       .def_readonly("name", &Dictionary::name, "As asked for; of a file, its stem.")
       .def_readonly("width", &Dictionary::width,
                     "Cells along the side of the detected square, border included.")

@@ -50,8 +50,10 @@ ImageView plain_view(const py::array& array, PixelFormat colours) {
   view.format = array.ndim() == 3 && array.shape(2) > 1 ? colours : PixelFormat::grey;
   const int channels = view.format == PixelFormat::grey ? 1 : 3;
   // NumPy gives sides of one pixel any stride.
-  view.step = view.width == 1 ? channels : static_cast<int>(array.strides(1));
+  const py::ssize_t step = view.width == 1 ? channels : array.strides(1);
+  view.step = static_cast<int>(step);
   view.stride = view.height == 1 ? static_cast<std::ptrdiff_t>(channels) * view.width : array.strides(0);
+  if (view.step != step) view.data = nullptr;  // does not fit
   if (channels == 1) return view;
   if (array.strides(2) == -1) {  // image[:, :, ::-1]
     view.data -= 2;

@@ -91,8 +91,7 @@ void bind_pose(py::module_& module) {
             return shaped(s.covariance, {6, 6});
           },
           "float64 (6, 6): x, y, z of the translation in the unit of the size, then the rotation about the "
-          "camera's "
-          "x, y and z axes in radians, as in ROS.")
+          "camera's x, y and z axes in radians, as in ROS.")
       .def("__repr__", [](const PoseSolution& s) {
         const Point3& t = s.pose.translation;
         return "<Pose at " + std::to_string(t.x) + ", " + std::to_string(t.y) + ", " + std::to_string(t.z) +

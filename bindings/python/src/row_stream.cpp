@@ -94,9 +94,9 @@ void bind_row_stream(py::module_& module) {
       .def("__exit__", [](RowStream& self, const py::object& type, const py::object&,
                           const py::object&) { self.exit(!type.is_none()); })
       .def("push", &RowStream::push, py::arg("rows"),
-           "rows: uint8 (n, W) or (n, W, 3), the next n rows. Gives the markers these rows completed: their "
-           "last "
-           "row and a few below it are in. No marker is ever taken back. The GIL is released meanwhile.")
+           "rows: uint8 (n, W) or (n, W, 3), the next n rows. Gives the markers these rows completed: "
+           "their last row and a few below it are in. No marker is ever taken back. The GIL is released "
+           "meanwhile.")
       .def_property_readonly("detection", &RowStream::found, "All markers so far; complete after the block.");
 }
 

@@ -108,6 +108,11 @@ def test_only_broadcasts_are_copied(detector, image):
     assert len(found) == 0
 
 
+def test_pixels_farther_apart_than_an_int_can_say(detector):
+    far = np.zeros((1, 2**31 + 8), np.uint8)[:, ::2**31]  # never touched but for two pixels
+    assert far.shape == (1, 2) and len(detector.detect(far)) == 0
+
+
 @pytest.mark.parametrize("image, error, says", [
     (np.zeros((20, 20)), TypeError, "image: dtype float64, but it must be uint8"),
     (np.zeros((20, 20), np.int8), TypeError, "dtype int8"),
