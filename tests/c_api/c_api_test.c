@@ -3,6 +3,7 @@
  * A failed check names its line; the exit status is the number of failed checks. */
 #include <math.h>
 #include <runmark/runmark.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,6 +79,24 @@ static void versions(void) {
   for (int status = RUNMARK_OK; status <= RUNMARK_FAILED + 1; ++status) {
     CHECK(strlen(runmark_describe((runmark_status)status)) > 1);
   }
+}
+
+/* A change here breaks compiled programs: it needs another RUNMARK_ABI_VERSION. */
+static void layout_of_version_1(void) {
+  if (sizeof(void*) != 8) return;
+  CHECK(RUNMARK_ABI_VERSION == 1);
+  CHECK(sizeof(runmark_status) == 4 && sizeof(runmark_format) == 4);
+  CHECK(sizeof(runmark_error) == 512 && offsetof(runmark_error, message) == 4);
+  CHECK(sizeof(runmark_dictionary_info) == 32 && offsetof(runmark_dictionary_info, distance) == 24);
+  CHECK(sizeof(runmark_options) == 96 && offsetof(runmark_options, min_marker_size) == 32);
+  CHECK(offsetof(runmark_options, connectivity) == 80);
+  CHECK(sizeof(runmark_image) == 32 && offsetof(runmark_image, stride) == 16);
+  CHECK(sizeof(runmark_marker) == 96 && offsetof(runmark_marker, corners) == 16);
+  CHECK(offsetof(runmark_marker, row) == 88);
+  CHECK(sizeof(runmark_stats) == 56 && offsetof(runmark_stats, dropped_markers) == 48);
+  CHECK(sizeof(runmark_camera) == 144 && offsetof(runmark_camera, distortion) == 48);
+  CHECK(sizeof(runmark_pose) == 392 && offsetof(runmark_pose, covariance) == 104);
+  CHECK(sizeof(runmark_pose_estimate) == 800 && offsetof(runmark_pose_estimate, ambiguity) == 792);
 }
 
 static void dictionaries(void) {
@@ -441,6 +460,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 99;
   picture p = read_pgm(argv[1]);
   versions();
+  layout_of_version_1();
   dictionaries();
   null_pointers();
   bad_options();

@@ -137,6 +137,7 @@ class View(DisplayTest):
                             "-c:v", "mjpeg", "-q:v", "2")
         self.view(video)
         self.press("1", "original")
+        self.press("m")  # there is no other input to go to
         moving = [picture_of(self.screenshot()) for _ in range(3)]
         self.assertEqual(len(set(moving)), 3)
         self.press("space", "original, paused")

@@ -77,45 +77,61 @@ class View {
         playback_(find_inputs(settings.inputs)) {}
 
   void run() {
-    go([this] { return playback_.forward(); });
+    forward();
     while (!quit_ && !interrupted() && !window_.closed()) {
       const bool moves = there_ && playback_.moving() && !paused_ && !at_end_;
       const int key = window_.wait_key(moves ? playback_.milliseconds_to_next() : idle_milliseconds);
-      if (key != 0)
+      if (key != 0) {
         press(key);
-      else if (moves && playback_.milliseconds_to_next() == 0)
-        go([this] { return playback_.forward(); });
+      } else if (moves && playback_.milliseconds_to_next() == 0) {
+        forward();
+      }
     }
     if (interrupted()) throw ExitStatus{exit_interrupted};
     if (broken_) throw ExitStatus{exit_failure};
   }
 
  private:
-  /// Goes to another frame and shows it; a broken input is told and left out.
+  /// Goes to another frame and shows it; a broken input is told and left out. False when there is no such
+  /// frame.
   template <class Step>
-  void go(const Step& step) {
+  bool go(const Step& step) {
     bool moved = false;
     try {
       moved = step();
+      if (moved) detect();
     } catch (const InputError& error) {
       print_error(error.what());
       broken_ = true;
-      return skip_broken();
+      if (!skip()) end();
+      return true;
     }
-    if (!moved) {
-      at_end_ = true;
-      if (!there_) quit_ = true;
-      return;
-    }
+    if (!moved) return false;
     at_end_ = false;
     there_ = true;
     rate_.tick();
-    detect();
     draw();
+    return true;
   }
 
-  void skip_broken() {
-    go([this] { return playback_.skip(); });
+  void forward() {
+    if (!go([this] { return playback_.forward(); })) end();
+  }
+  bool skip() {
+    return go([this] { return playback_.skip(); });
+  }
+  void back() {
+    go([this] { return playback_.back(); });
+  }
+
+  /// No frame follows.
+  void end() {
+    at_end_ = true;
+    if (there_) {
+      draw();
+    } else {
+      quit_ = true;
+    }
   }
 
   void detect() {
@@ -156,8 +172,12 @@ class View {
                   markers_.size() == 1 ? "" : "s", milliseconds_);
     std::string line = text.data();
     if (playback_.moving()) {
-      std::snprintf(text.data(), text.size(), "   %.1f frames/s   frame %lld", rate_.value(),
-                    static_cast<long long>(frame.index));
+      const auto frame_number = static_cast<long long>(frame.index);
+      if (at_end_) {
+        std::snprintf(text.data(), text.size(), "   end, frame %lld", frame_number);
+      } else {
+        std::snprintf(text.data(), text.size(), "   %.1f frames/s   frame %lld", rate_.value(), frame_number);
+      }
       line += text.data();
     }
     return line + "   " + (message_.empty() ? file_name() + "   h: keys" : message_);
@@ -175,12 +195,13 @@ class View {
         rate_.restart();
         break;
       case 'n':
-        if (paused_ || !playback_.moving()) return go([this] { return playback_.forward(); });
+        if (paused_ || !playback_.moving()) forward();
         return;
       case 'm':
-        return go([this] { return playback_.skip(); });
+        skip();
+        return;
       case 'b':
-        return go([this] { return playback_.back(); });
+        return back();
       case 's':
         save();
         break;
