@@ -78,7 +78,7 @@ std::string line_of(const cli::Frame& picture, const HardwareFrame& frame) {
   using Json = nlohmann::ordered_json;
   // The detector's own line, and more at its end.
   Json line =
-      Json::parse(cli::make_marker_format("jsonl", false)->frame(picture, frame.markers, nullptr, nullptr));
+      Json::parse(cli::make_marker_format("jsonl", {})->frame(picture, frame.markers, nullptr, nullptr));
   const auto thousandths = [](double value) { return std::round(value * 1000) / 1000; };
   Json lines = Json::array();
   for (const std::uint64_t clocks : frame.latencies) {
