@@ -1,9 +1,9 @@
 #include "runmark/marker_sizes.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace runmark {
 namespace {
@@ -52,11 +52,12 @@ Result<MarkerSizes> MarkerSizes::parse(std::span<const std::string> texts) {
 }
 
 std::optional<double> MarkerSizes::of(const Marker& marker) const {
-  for (const Entry& entry : entries_ | std::views::reverse) {
-    const bool named = entry.dictionary.empty() || entry.dictionary == marker.dictionary;
-    if (named && marker.id >= entry.first_id && marker.id <= entry.last_id) return entry.size;
-  }
-  return {};
+  const auto entry = std::find_if(entries_.rbegin(), entries_.rend(), [&](const Entry& e) {
+    const bool named = e.dictionary.empty() || e.dictionary == marker.dictionary;
+    return named && marker.id >= e.first_id && marker.id <= e.last_id;
+  });
+  if (entry == entries_.rend()) return {};
+  return entry->size;
 }
 
 }  // namespace runmark
