@@ -11,60 +11,82 @@
 HWY_BEFORE_NAMESPACE();
 namespace runmark::HWY_NAMESPACE {
 
-/// A run's end belongs to the row above or to the current one, as the pixel beyond it tells. There the two
-/// rows agree, except where runs touch crosswise: then it matters at which row a top run looks and at which
-/// a bottom run, and that is the connectivity.
-///
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What becomes of the cracks under one word of pixels: a bit for each column.
+struct CrackEvents {
+  static constexpr std::size_t most_words = 8;
+  BitWord begins[most_words];
+  BitWord ends[most_words];
+  BitWord top[most_words];  // of the run that begins here
+  BitWord left_above[most_words];
+  BitWord right_above[most_words];
+};
+
+/// The events of as many words as a vector holds, from word w on. A run's end belongs to the row above or to
+/// the current one, as the pixel beyond it tells. There the two rows agree, except where runs touch
+/// crosswise: then it matters at which row a top run looks and at which a bottom run, and that is the
+/// connectivity.
+/// @return whether there are any
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE bool FindEvents(D d, V above, V current, V above_left, V current_left, bool eight,
+                           CrackEvents& events) {
+  // Columns beside the word's own: the last one of the word before.
+  const auto shifted = [](V word, V word_left) HWY_ATTR {
+    return hn::Or(hn::ShiftLeft<1>(word), hn::ShiftRight<bits_per_word - 1>(word_left));
+  };
+  const V left_of_above = shifted(above, above_left);
+  const V left_of_current = shifted(current, current_left);
+  const V top = hn::AndNot(above, current);
+  const V bottom = hn::AndNot(current, above);
+  const V left_top = hn::AndNot(left_of_above, left_of_current);
+  const V left_bottom = hn::AndNot(left_of_current, left_of_above);
+  const V begins = hn::Or(hn::AndNot(left_top, top), hn::AndNot(left_bottom, bottom));
+  const V ends = hn::Or(hn::AndNot(top, left_top), hn::AndNot(bottom, left_bottom));
+  if (hn::AllTrue(d, hn::Eq(hn::Or(begins, ends), hn::Zero(d)))) return false;
+  const V top_sees = eight ? above : current;
+  const V bottom_sees = eight ? current : above;
+  const V left_top_sees = eight ? left_of_above : left_of_current;
+  const V left_bottom_sees = eight ? left_of_current : left_of_above;
+  hn::StoreU(begins, d, events.begins);
+  hn::StoreU(ends, d, events.ends);
+  hn::StoreU(top, d, events.top);
+  hn::StoreU(hn::Or(hn::And(top, left_top_sees), hn::AndNot(left_bottom_sees, bottom)), d, events.left_above);
+  hn::StoreU(hn::Or(hn::And(left_top, top_sees), hn::AndNot(bottom_sees, left_bottom)), d,
+             events.right_above);
+  return true;
+}
+
 /// The runs of a row end in the order in which they begin, so beginnings and ends are written each for
 /// itself. Most words have none to three of each: so many are written always, since the extra writes cost
 /// less than a wrong guess of how many there are.
-std::size_t FindCrackRuns(const BitWord* above, const BitWord* current, int width, bool eight,
-                          CrackRun* runs) {
-  constexpr int last_bit = bits_per_word - 1;
-  constexpr int always = 3;
-  const BitWord* top_sees = eight ? above : current;
-  const BitWord* bottom_sees = eight ? current : above;
-  const std::size_t words = bit_words(width);
-  CrackRun* next_begin = runs;
-  CrackRun* next_end = runs;
-  BitWord top_before = 0;  // the last column of the word before, as bit 0
-  BitWord bottom_before = 0;
-  BitWord top_sees_before = 0;
-  BitWord bottom_sees_before = 0;
+class RunWriter {
+ public:
+  explicit RunWriter(CrackRun* runs) : next_begin_(runs), next_end_(runs) {}
 
-  for (std::size_t w = 0; w < words; ++w) {
-    const BitWord top = current[w] & ~above[w];
-    const BitWord bottom = above[w] & ~current[w];
-    // The same, one column on: what is left of each crack.
-    const BitWord left_top = (top << 1) | top_before;
-    const BitWord left_bottom = (bottom << 1) | bottom_before;
-    const BitWord left_top_sees = (top_sees[w] << 1) | top_sees_before;
-    const BitWord left_bottom_sees = (bottom_sees[w] << 1) | bottom_sees_before;
-    top_before = top >> last_bit;
-    bottom_before = bottom >> last_bit;
-    top_sees_before = top_sees[w] >> last_bit;
-    bottom_sees_before = bottom_sees[w] >> last_bit;
-
-    BitWord begins = (top & ~left_top) | (bottom & ~left_bottom);
-    BitWord ends = (left_top & ~top) | (left_bottom & ~bottom);
-    if ((begins | ends) == 0) continue;
-    const BitWord left_above = (top & left_top_sees) | (bottom & ~left_bottom_sees);
-    const BitWord right_above = (left_top & top_sees[w]) | (left_bottom & ~bottom_sees[w]);
-    const auto x = static_cast<unsigned>(w) * bits_per_word;
-    CrackRun* begin = next_begin;
-    CrackRun* end = next_end;
+  HWY_INLINE void Write(const CrackEvents& events, std::size_t word, std::size_t column) {
+    constexpr int always = 3;
+    BitWord begins = events.begins[word];
+    BitWord ends = events.ends[word];
+    if ((begins | ends) == 0) return;
+    const BitWord top = events.top[word];
+    const BitWord left_above = events.left_above[word];
+    const BitWord right_above = events.right_above[word];
+    const auto x = static_cast<unsigned>(column);
+    CrackRun* begin = next_begin_;
+    CrackRun* end = next_end_;
     const int begin_count = std::popcount(begins);
     const int end_count = std::popcount(ends);
-    next_begin += begin_count;
-    next_end += end_count;
+    next_begin_ += begin_count;
+    next_end_ += end_count;
     const auto write = [&]() HWY_ATTR {
-      const int b = std::countr_zero(begins) & last_bit;
+      const int b = std::countr_zero(begins) & (bits_per_word - 1);
       begin->x0 = static_cast<std::uint16_t>(x + static_cast<unsigned>(b));
       begin->top = (top >> b & 1U) != 0;
       begin->left_above = (left_above >> b & 1U) != 0;
       ++begin;
       begins &= begins - 1;
-      const int e = std::countr_zero(ends) & last_bit;
+      const int e = std::countr_zero(ends) & (bits_per_word - 1);
       end->x1 = static_cast<std::uint16_t>(x + static_cast<unsigned>(e));
       end->right_above = (right_above >> e & 1U) != 0;
       ++end;
@@ -73,7 +95,40 @@ std::size_t FindCrackRuns(const BitWord* above, const BitWord* current, int widt
     for (int i = 0; i < always; ++i) write();
     for (int i = std::max(begin_count, end_count); i > always; --i) write();
   }
-  return static_cast<std::size_t>(next_end - runs);
+
+  [[nodiscard]] CrackRun* End() const { return next_end_; }
+
+ private:
+  CrackRun* next_begin_;
+  CrackRun* next_end_;
+};
+
+std::size_t FindCrackRuns(const BitWord* above, const BitWord* current, int width, bool eight,
+                          CrackRun* runs) {
+  const hn::CappedTag<BitWord, CrackEvents::most_words> d;
+  const hn::CappedTag<BitWord, 1> one;
+  const std::size_t words = bit_words(width);
+  RunWriter writer(runs);
+  CrackEvents events;
+  if (FindEvents(one, hn::LoadU(one, above), hn::LoadU(one, current), hn::Zero(one), hn::Zero(one), eight,
+                 events)) {
+    writer.Write(events, 0, 0);
+  }
+  std::size_t w = 1;
+  for (; w + hn::Lanes(d) <= words; w += hn::Lanes(d)) {
+    if (!FindEvents(d, hn::LoadU(d, above + w), hn::LoadU(d, current + w), hn::LoadU(d, above + w - 1),
+                    hn::LoadU(d, current + w - 1), eight, events)) {
+      continue;
+    }
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) writer.Write(events, i, (w + i) * bits_per_word);
+  }
+  for (; w < words; ++w) {
+    if (FindEvents(one, hn::LoadU(one, above + w), hn::LoadU(one, current + w), hn::LoadU(one, above + w - 1),
+                   hn::LoadU(one, current + w - 1), eight, events)) {
+      writer.Write(events, 0, w * bits_per_word);
+    }
+  }
+  return static_cast<std::size_t>(writer.End() - runs);
 }
 
 }  // namespace runmark::HWY_NAMESPACE
