@@ -11,7 +11,19 @@ namespace runmark {
 /// section 2.2.3). The corners must be convex.
 class Homography {
  public:
-  Homography(const std::array<Point, 4>& corners, double side) : origin_(corners[0]) {
+  /// x = (xu u + xv v + x0) / (g u + h v + 1), and y alike.
+  struct Coefficients {
+    double xu = 0;
+    double xv = 0;
+    double x0 = 0;
+    double yu = 0;
+    double yv = 0;
+    double y0 = 0;
+    double g = 0;
+    double h = 0;
+  };
+
+  Homography(const std::array<Point, 4>& corners, double side) {
     const auto& [p0, p1, p2, p3] = corners;
     const double dx1 = p1.x - p2.x;
     const double dx2 = p3.x - p2.x;
@@ -20,29 +32,27 @@ class Homography {
     const double dy2 = p3.y - p2.y;
     const double dy3 = p0.y - p1.y + p2.y - p3.y;
     const double det = dx1 * dy2 - dx2 * dy1;
-    g_ = (dx3 * dy2 - dx2 * dy3) / det;
-    h_ = (dx1 * dy3 - dx3 * dy1) / det;
-    xu_ = (p1.x - p0.x + g_ * p1.x) / side;
-    xv_ = (p3.x - p0.x + h_ * p3.x) / side;
-    yu_ = (p1.y - p0.y + g_ * p1.y) / side;
-    yv_ = (p3.y - p0.y + h_ * p3.y) / side;
-    g_ /= side;
-    h_ /= side;
+    const double g = (dx3 * dy2 - dx2 * dy3) / det;
+    const double h = (dx1 * dy3 - dx3 * dy1) / det;
+    c_ = {(p1.x - p0.x + g * p1.x) / side,
+          (p3.x - p0.x + h * p3.x) / side,
+          p0.x,
+          (p1.y - p0.y + g * p1.y) / side,
+          (p3.y - p0.y + h * p3.y) / side,
+          p0.y,
+          g / side,
+          h / side};
   }
 
   [[nodiscard]] Point operator()(double u, double v) const {
-    const double w = g_ * u + h_ * v + 1;
-    return {(xu_ * u + xv_ * v + origin_.x) / w, (yu_ * u + yv_ * v + origin_.y) / w};
+    const double w = c_.g * u + c_.h * v + 1;
+    return {(c_.xu * u + c_.xv * v + c_.x0) / w, (c_.yu * u + c_.yv * v + c_.y0) / w};
   }
 
+  [[nodiscard]] const Coefficients& coefficients() const { return c_; }
+
  private:
-  Point origin_;
-  double g_ = 0;
-  double h_ = 0;
-  double xu_ = 0;
-  double xv_ = 0;
-  double yu_ = 0;
-  double yv_ = 0;
+  Coefficients c_{};
 };
 
 }  // namespace runmark

@@ -1,97 +1,82 @@
 #include "pattern/light_model.h"
 
 #include <array>
-#include <cmath>
 
 namespace runmark {
 namespace {
 
-/// Least squares plane through the grey levels of a ring of cell middles, which lies evenly round the middle
-/// of the square: the slopes do not mix.
-class PlaneFit {
- public:
-  explicit PlaneFit(double middle) : middle_(middle) {}
-
-  void add(double u, double v, double grey) {
-    const double du = u - middle_;
-    const double dv = v - middle_;
-    n_ += 1;
-    uu_ += du * du;
-    g_ += grey;
-    gu_ += grey * du;
-    gv_ += grey * dv;
+/// Least squares plane through the grey levels of one ring, from its point `first` on. The ring lies evenly
+/// round the middle of the square, so the slopes do not mix.
+GreyPlane plane_through(const float* grey, const BorderRings& rings, std::size_t first) {
+  const auto count = static_cast<std::size_t>(4 * rings.width);
+  const double middle = rings.width / 2.0;
+  double sum = 0;
+  double sum_u = 0;
+  double sum_v = 0;
+  double spread = 0;
+  for (std::size_t i = first; i < first + count; ++i) {
+    const double u = static_cast<double>(rings.points.u[i]) - middle;
+    const double v = static_cast<double>(rings.points.v[i]) - middle;
+    const auto level = static_cast<double>(grey[i]);
+    spread += u * u;
+    sum += level;
+    sum_u += level * u;
+    sum_v += level * v;
   }
-
-  [[nodiscard]] GreyPlane plane() const {
-    const double du = gu_ / uu_;
-    const double dv = gv_ / uu_;
-    return {g_ / n_ - (du + dv) * middle_, du, dv};
-  }
-
- private:
-  double middle_;
-  double n_ = 0;
-  double uu_ = 0;  // the same along u and along v
-  double g_ = 0;
-  double gu_ = 0;
-  double gv_ = 0;
-};
+  const double du = sum_u / spread;
+  const double dv = sum_v / spread;
+  return {sum / static_cast<double>(count) - (du + dv) * middle, du, dv};
+}
 
 }  // namespace
 
-std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& cells, int width,
-                                    bool light_inside, int one_in) {
-  constexpr int most_side = 16;
-  constexpr double least_contrast = 8;
-  std::array<double, 4 * most_side> inside_grey{};
-  const int ring = 4 * width;
-  const double middle = width / 2.0;
-  PlaneFit inside(middle);
-  PlaneFit outside(middle);
-  // Cell middles along the four sides, just inside and just outside the square.
-  const auto place = [&](int side, double along, double depth) {
-    switch (side) {
-      case 0:
-        return std::array{along, depth};
-      case 1:
-        return std::array{width - depth, along};
-      case 2:
-        return std::array{width - along, width - depth};
-      default:
-        return std::array{depth, width - along};
-    }
-  };
-  const auto grey_at = [&](std::array<double, 2> uv) {
-    const Point p = cells(uv[0], uv[1]);
-    return static_cast<double>(frame.sample(static_cast<float>(p.x), static_cast<float>(p.y)));
-  };
-  std::size_t seen = 0;
-  for (int side = 0; side < 4; ++side) {
-    for (int i = 0; i < width; ++i) {
-      const auto in = place(side, i + 0.5, 0.5);
-      const auto out = place(side, i + 0.5, -0.5);
-      const double grey = grey_at(in);
-      inside_grey[seen++] = grey;
-      inside.add(in[0], in[1], grey);
-      outside.add(out[0], out[1], grey_at(out));
-    }
+BorderRings::BorderRings(int cells_across) : width(cells_across) {
+  for (const double depth : {0.5, -0.5}) {
+    for (int i = 0; i < width; ++i) points.add(i + 0.5, depth);
+    for (int i = 0; i < width; ++i) points.add(width - depth, i + 0.5);
+    for (int i = 0; i < width; ++i) points.add(width - i - 0.5, width - depth);
+    for (int i = 0; i < width; ++i) points.add(depth, width - i - 0.5);
   }
-  const LightModel model{inside.plane(), outside.plane()};
+}
+
+std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& place, const BorderRings& rings,
+                                    bool light_inside, int one_in) {
+  constexpr double least_contrast = 8;
+  std::array<float, std::size_t{8} * BorderRings::most_width> grey;  // NOLINT(*-member-init): samples fill it
+  sample_cells(frame, place, rings.points, grey.data());
+  const auto ring = static_cast<std::size_t>(4 * rings.width);
+  const LightModel model{plane_through(grey.data(), rings, 0), plane_through(grey.data(), rings, ring)};
+  const double middle = rings.width / 2.0;
   const double sign = light_inside ? -1 : 1;
   if (sign * (model.outside.at(middle, middle) - model.inside.at(middle, middle)) < least_contrast) {
     return std::nullopt;
   }
-  int wrong = 0;
-  seen = 0;
-  for (int side = 0; side < 4; ++side) {
-    for (int i = 0; i < width; ++i) {
-      const auto [u, v] = place(side, i + 0.5, 0.5);
-      const double half = (model.inside.at(u, v) + model.outside.at(u, v)) / 2;
-      wrong += sign * (half - inside_grey[seen++]) <= 0 ? 1 : 0;
-    }
+  const double level = model.inside.level + model.outside.level;
+  const double du = model.inside.du + model.outside.du;
+  const double dv = model.inside.dv + model.outside.dv;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < ring; ++i) {
+    const double both =
+        level + du * static_cast<double>(rings.points.u[i]) + dv * static_cast<double>(rings.points.v[i]);
+    if (sign * (both - 2 * static_cast<double>(grey[i])) <= 0) ++wrong;
   }
-  if (wrong > ring / one_in) return std::nullopt;
+  if (wrong > ring / static_cast<std::size_t>(one_in)) return std::nullopt;
   return model;
+}
+
+void LightModel::make_relative(const CellPoints& points, float* values) const {
+  const auto level = static_cast<float>(inside.level);
+  const auto du = static_cast<float>(inside.du);
+  const auto dv = static_cast<float>(inside.dv);
+  const auto rise = static_cast<float>(outside.level - inside.level);
+  const auto rise_du = static_cast<float>(outside.du - inside.du);
+  const auto rise_dv = static_cast<float>(outside.dv - inside.dv);
+  const float* u = points.u.data();
+  const float* v = points.v.data();
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    values[i] = (values[i] - (level + du * u[i] + dv * v[i])) / (rise + rise_du * u[i] + rise_dv * v[i]);
+  }
 }
 
 }  // namespace runmark

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "pattern/cell_samples.h"
 #include "pattern/grey_frame.h"
 #include "pattern/homography.h"
 
@@ -20,11 +21,26 @@ struct GreyPlane {
 struct LightModel {
   GreyPlane inside;
   GreyPlane outside;
+
+  /// From grey levels at points to 0 where they are like the ring inside the square and 1 where they are like
+  /// that outside.
+  void make_relative(const CellPoints& points, float* values) const;
 };
 
-/// Samples both rings of a marker `width` cells wide. Nothing when more than one in `one_in` cells of the
-/// ring inside is not on its side of the middle level: then the quadrilateral is no marker's border.
-[[nodiscard]] std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& cells, int width,
-                                                  bool light_inside, int one_in);
+/// The middles of the cells just inside the square of a marker, along its four sides, and behind them those
+/// of the cells just outside.
+struct BorderRings {
+  static constexpr int most_width = 16;  ///< cells across the square
+
+  explicit BorderRings(int cells_across);
+
+  int width;
+  CellPoints points;
+};
+
+/// Samples both rings. Nothing when more than one in `one_in` cells of the ring inside is not on its side of
+/// the middle level: then the quadrilateral is no marker's border.
+[[nodiscard]] std::optional<LightModel> fit_light(const GreyFrame& frame, const Homography& place,
+                                                  const BorderRings& rings, bool light_inside, int one_in);
 
 }  // namespace runmark

@@ -20,14 +20,11 @@ int overhang_of(const Dictionary& dictionary) {
 
 double distance(Point a, Point b) { return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)); }
 
-/// Grey level at cell coordinates: 0 like the ring inside the square, 1 like that outside.
-double relative_grey(const GreyFrame& frame, const Homography& place, const LightModel& light, double u,
-                     double v) {
-  const Point p = place(u, v);
-  const double grey = static_cast<double>(frame.sample(static_cast<float>(p.x), static_cast<float>(p.y)));
-  const double inside = light.inside.at(u, v);
-  return (grey - inside) / (light.outside.at(u, v) - inside);
-}
+// Points well away from a cell's neighbours, against noise.
+constexpr std::array<std::array<double, 2>, 5> inner_points{
+    {{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}};
+constexpr std::size_t most_samples = 64 * inner_points.size();  // a code has at most 64 bits
+static_assert(most_samples % CellPoints::group == 0);
 
 /// The share of a cell's light that a Gaussian blur of that standard deviation, in cells, moves into the
 /// next.
@@ -42,19 +39,32 @@ float spill(double blur) {
 
 }  // namespace
 
+MarkerReader::Layout::Layout(const Dictionary& dictionary)
+    : width(dictionary.width),
+      border(dictionary.border),
+      cells(dictionary.cells),
+      overhang(overhang_of(dictionary)),
+      rings(dictionary.width) {
+  for (const Cell cell : cells) {
+    middles.add(cell.x + 0.5, cell.y + 0.5);
+    for (const auto& [u, v] : inner_points) spread.add(cell.x + u, cell.y + v);
+  }
+  for (int y = 0; y < width; ++y) {
+    for (int x = 0; x < width; ++x) square.add(x + 0.5, y + 0.5);
+  }
+}
+
+bool MarkerReader::Layout::has(const Dictionary& dictionary) const {
+  return width == dictionary.width && border == dictionary.border && cells == dictionary.cells;
+}
+
 MarkerReader::MarkerReader(const std::vector<Dictionary>& dictionaries, const ReaderLimits& limits)
     : limits_(limits) {
   for (const Dictionary& dictionary : dictionaries) {
     const int bits = limits.corrected_bits < 0 ? dictionary.corrected_bits : limits.corrected_bits;
-    const auto same = std::find_if(layouts_.begin(), layouts_.end(), [&](const Layout& layout) {
-      return layout.width == dictionary.width && layout.border == dictionary.border &&
-             layout.cells == dictionary.cells;
-    });
-    Layout& layout =
-        same != layouts_.end()
-            ? *same
-            : layouts_.emplace_back(
-                  Layout{dictionary.width, dictionary.border, dictionary.cells, overhang_of(dictionary), {}});
+    const auto same = std::find_if(layouts_.begin(), layouts_.end(),
+                                   [&](const Layout& layout) { return layout.has(dictionary); });
+    Layout& layout = same != layouts_.end() ? *same : layouts_.emplace_back(dictionary);
     layout.books.push_back({&dictionary, CodeLookup(dictionary, bits)});
     most_cells_ = std::max(most_cells_, dictionary.width);
     const bool reversed = dictionary.border == Border::reversed;
@@ -74,7 +84,7 @@ std::size_t MarkerReader::memory() const {
 bool MarkerReader::has_border(const GreyFrame& frame, const Quad& quad) const {
   return std::any_of(layouts_.begin(), layouts_.end(), [&](const Layout& layout) {
     return fits(layout, quad) &&
-           fit_light(frame, Homography(quad.corners, layout.width), layout.width, quad.light_inside, 4);
+           fit_light(frame, Homography(quad.corners, layout.width), layout.rings, quad.light_inside, 4);
   });
 }
 
@@ -94,13 +104,15 @@ int MarkerReader::lowest_row(const Quad& quad) const {
 
 MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homography& place,
                                            const LightModel& light, const Layout& layout) {
-  // Small cells are read at their middle; larger ones at a few points against noise, well away from their
-  // neighbours.
-  static constexpr std::array<std::array<double, 2>, 5> inner{
-      {{0.5, 0.5}, {0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}};
+  // Small cells are read at their middle, larger ones at a few points.
   constexpr double small_cell = 5;  // pixels
   const double diagonal = distance(place(0, 0), place(layout.width, layout.width));
-  const std::size_t points = diagonal < 1.41 * small_cell * layout.width ? 1 : inner.size();
+  const bool small = diagonal < 1.41 * small_cell * layout.width;
+  const CellPoints& points = small ? layout.middles : layout.spread;
+  const std::size_t of_each = small ? 1 : inner_points.size();
+  std::array<float, most_samples> values;  // NOLINT(*-member-init): samples fill it
+  sample_cells(frame, place, points, values.data());
+  light.make_relative(points, values.data());
 
   // Values of the data cells among their neighbours: 0 like the ring inside the square, 1 like that outside.
   const int reach = layout.overhang + 1;
@@ -113,13 +125,11 @@ MarkerReader::Reading MarkerReader::sample(const GreyFrame& frame, const Homogra
       at(x, y) = x < 0 || y < 0 || x >= layout.width || y >= layout.width ? 1.0F : 0.0F;
     }
   }
+  const float* sampled = values.data();
   for (const Cell cell : layout.cells) {
-    double value = 0;
-    for (std::size_t k = 0; k < points; ++k) {
-      const auto& [u, v] = inner[k];
-      value += relative_grey(frame, place, light, cell.x + u, cell.y + v);
-    }
-    at(cell.x, cell.y) = static_cast<float>(value / static_cast<double>(points));
+    float sum = 0;
+    for (std::size_t k = 0; k < of_each; ++k) sum += *sampled++;
+    at(cell.x, cell.y) = sum / static_cast<float>(of_each);
   }
   // Blur mixes each cell with its neighbours: what they took is given back.
   constexpr float sharpening = 0.3F;
@@ -177,11 +187,8 @@ void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, cons
   if (layout.overhang > 0 || side > largest_cell * width) return;
   CellValues cells;
   cells.width = width;
-  for (int y = 0; y < width; ++y) {
-    for (int x = 0; x < width; ++x) {
-      cells.at(x, y) = static_cast<float>(relative_grey(frame, place, light, x + 0.5, y + 0.5));
-    }
-  }
+  sample_cells(frame, place, layout.square, cells.values);
+  light.make_relative(layout.square, cells.values);
   // A tilted marker's cells are shorter one way, and the same blur carries farther there.
   const Point left = place(0, width / 2.0);
   const Point right = place(width, width / 2.0);
@@ -206,7 +213,7 @@ std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& qua
     const Homography place(quad.corners, layout.width);
     // Small codes are read into much that is no marker: their border must be the better.
     const int one_in = layout.cells.size() <= 16 ? 13 : 10;
-    const std::optional<LightModel> light = fit_light(frame, place, layout.width, quad.light_inside, one_in);
+    const std::optional<LightModel> light = fit_light(frame, place, layout.rings, quad.light_inside, one_in);
     if (!light) continue;
     const Reading reading = sample(frame, place, *light, layout);
     if (reading.margin >= limits_.min_margin && look_up(reading, quad, layout, 1, best)) continue;

@@ -50,10 +50,17 @@ class MarkerReader {
   };
   /// Dictionaries whose cells lie alike: sampled once.
   struct Layout {
+    explicit Layout(const Dictionary& dictionary);
+    [[nodiscard]] bool has(const Dictionary& dictionary) const;
+
     int width;
     Border border;
     std::vector<Cell> cells;
     int overhang;  // cells by which the data reach beyond the square
+    BorderRings rings;
+    CellPoints middles;  // of the data cells
+    CellPoints spread;   // several points of each data cell
+    CellPoints square;   // the middles of all cells of the square, row by row
     std::vector<Book> books;
   };
   [[nodiscard]] bool fits(const Layout& layout, const Quad& quad) const {

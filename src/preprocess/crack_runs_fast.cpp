@@ -109,7 +109,7 @@ std::size_t FindCrackRuns(const BitWord* above, const BitWord* current, int widt
   const hn::CappedTag<BitWord, 1> one;
   const std::size_t words = bit_words(width);
   RunWriter writer(runs);
-  CrackEvents events;
+  CrackEvents events;  // NOLINT(*-member-init): FindEvents fills it
   if (FindEvents(one, hn::LoadU(one, above), hn::LoadU(one, current), hn::Zero(one), hn::Zero(one), eight,
                  events)) {
     writer.Write(events, 0, 0);

@@ -44,7 +44,7 @@ std::optional<SampleGrid> cell_grid(const cv::Mat& grey, const Quad& quad, const
   const GreyFrame frame{rows.data(), grey.cols, grey.rows};
   const Homography place(quad.corners, dictionary.width);
   const std::optional<LightModel> light =
-      fit_light(frame, place, dictionary.width, quad.light_inside, least_border);
+      fit_light(frame, place, BorderRings(dictionary.width), quad.light_inside, least_border);
   if (!light) return std::nullopt;
 
   std::vector<Cell> cells;

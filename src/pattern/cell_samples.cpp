@@ -1,0 +1,131 @@
+#include "pattern/cell_samples.h"
+
+#include <algorithm>
+#include <cstdint>
+
+// Each point's sums are its own, so all vector extensions give the same bits.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pattern/cell_samples.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace runmark::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = hn::CappedTag<float, CellPoints::group>;
+using Ints = hn::RebindToSigned<Floats>;
+
+/// Where a group of points lies: the pixel up and left of each, and how far beyond its centre.
+struct PixelPlaces {
+  alignas(64) std::int32_t x[CellPoints::group];
+  alignas(64) std::int32_t y[CellPoints::group];
+  alignas(64) float fx[CellPoints::group];
+  alignas(64) float fy[CellPoints::group];
+};
+
+/// The four pixels round each point of a group.
+struct PixelSquares {
+  alignas(64) float upper_left[CellPoints::group];
+  alignas(64) float upper_right[CellPoints::group];
+  alignas(64) float lower_left[CellPoints::group];
+  alignas(64) float lower_right[CellPoints::group];
+};
+
+/// The last pixel of `size` that has one after it.
+HWY_INLINE int LastPair(int size) { return std::max(size - 2, 0); }
+
+template <class V>
+HWY_INLINE void SplitPixel(V position, int size, std::int32_t* pixel, float* fraction) {
+  const Floats d;
+  const Ints ints;
+  const auto inside =
+      hn::Min(hn::Max(position, hn::Zero(d)), hn::Set(d, static_cast<float>(std::max(size - 1, 0))));
+  const auto whole =
+      hn::Min(hn::Max(hn::ConvertTo(ints, inside), hn::Zero(ints)), hn::Set(ints, LastPair(size)));
+  hn::Store(whole, ints, pixel);
+  hn::Store(hn::Sub(inside, hn::ConvertTo(d, whole)), d, fraction);
+}
+
+HWY_INLINE void Place(const GreyFrame& frame, const Homography& place, const float* u, const float* v,
+                      PixelPlaces& places) {
+  const Floats d;
+  const auto at = [&](double coefficient) HWY_ATTR { return hn::Set(d, static_cast<float>(coefficient)); };
+  const Homography::Coefficients& h = place.coefficients();
+  for (std::size_t i = 0; i < CellPoints::group; i += hn::Lanes(d)) {
+    const auto cell_u = hn::Load(d, u + i);
+    const auto cell_v = hn::Load(d, v + i);
+    const auto of = [&](double along_u, double along_v, double constant) HWY_ATTR {
+      return hn::Add(hn::Add(hn::Mul(at(along_u), cell_u), hn::Mul(at(along_v), cell_v)), at(constant));
+    };
+    const auto weight = of(h.g, h.h, 1);
+    SplitPixel(hn::Div(of(h.xu, h.xv, h.x0), weight), frame.width, places.x + i, places.fx + i);
+    SplitPixel(hn::Div(of(h.yu, h.yv, h.y0), weight), frame.height, places.y + i, places.fy + i);
+  }
+}
+
+/// @param grey_at  the grey level of the pixel so many pixels after the first of a row
+template <class GreyAt>
+HWY_INLINE void Collect(const GreyFrame& frame, const PixelPlaces& places, PixelSquares& squares,
+                        GreyAt&& grey_at) {
+  const int right = frame.width > 1 ? 1 : 0;
+  const int down = frame.height > 1 ? 1 : 0;
+  for (std::size_t i = 0; i < CellPoints::group; ++i) {
+    const std::uint8_t* upper = frame.rows[places.y[i]];
+    const std::uint8_t* lower = frame.rows[places.y[i] + down];
+    const int x = places.x[i];
+    squares.upper_left[i] = static_cast<float>(grey_at(upper, x));
+    squares.upper_right[i] = static_cast<float>(grey_at(upper, x + right));
+    squares.lower_left[i] = static_cast<float>(grey_at(lower, x));
+    squares.lower_right[i] = static_cast<float>(grey_at(lower, x + right));
+  }
+}
+
+void SampleCells(const GreyFrame& frame, const Homography& place, const CellPoints& points, float* grey) {
+  const Floats d;
+  const auto between = [](auto share, auto a, auto b)
+                           HWY_ATTR { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
+  PixelPlaces places;    // NOLINT(*-member-init): filled for each group
+  PixelSquares squares;  // NOLINT(*-member-init)
+  alignas(64) float u[CellPoints::group];
+  alignas(64) float v[CellPoints::group];
+  for (std::size_t first = 0; first < points.size(); first += CellPoints::group) {
+    // The last group is filled up with its last point.
+    const std::size_t count = std::min(points.size() - first, CellPoints::group);
+    for (std::size_t i = 0; i < CellPoints::group; ++i) {
+      u[i] = points.u[first + std::min(i, count - 1)];
+      v[i] = points.v[first + std::min(i, count - 1)];
+    }
+    Place(frame, place, u, v, places);
+    if (frame.format == PixelFormat::grey && frame.step == 1) {
+      Collect(frame, places, squares, [](const std::uint8_t* row, int x) HWY_ATTR { return int{row[x]}; });
+    } else {
+      Collect(frame, places, squares, [&](const std::uint8_t* row, int x) HWY_ATTR {
+        return grey_of(row + static_cast<std::ptrdiff_t>(x) * frame.step, frame.format);
+      });
+    }
+    for (std::size_t i = 0; i < CellPoints::group; i += hn::Lanes(d)) {
+      const auto fx = hn::Load(d, places.fx + i);
+      const auto upper =
+          between(fx, hn::Load(d, squares.upper_left + i), hn::Load(d, squares.upper_right + i));
+      const auto lower =
+          between(fx, hn::Load(d, squares.lower_left + i), hn::Load(d, squares.lower_right + i));
+      hn::StoreU(between(hn::Load(d, places.fy + i), upper, lower), d, grey + first + i);
+    }
+  }
+}
+
+}  // namespace runmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace runmark {
+
+HWY_EXPORT(SampleCells);
+
+void sample_cells(const GreyFrame& frame, const Homography& place, const CellPoints& points, float* grey) {
+  HWY_DYNAMIC_DISPATCH(SampleCells)(frame, place, points, grey);
+}
+
+}  // namespace runmark
+#endif
