@@ -65,9 +65,12 @@ MarkerReader::MarkerReader(const std::vector<Dictionary>& dictionaries, const Re
     const auto same = std::find_if(layouts_.begin(), layouts_.end(),
                                    [&](const Layout& layout) { return layout.has(dictionary); });
     Layout& layout = same != layouts_.end() ? *same : layouts_.emplace_back(dictionary);
+    const bool reversed = dictionary.border == Border::reversed;
+    const std::uint64_t plain = reversed ? ~std::uint64_t{0} >> (64 - layout.cells.size()) : 0;
+    layout.has_plain = layout.has_plain || std::find(dictionary.codes.begin(), dictionary.codes.end(),
+                                                     plain) != dictionary.codes.end();
     layout.books.push_back({&dictionary, CodeLookup(dictionary, bits)});
     most_cells_ = std::max(most_cells_, dictionary.width);
-    const bool reversed = dictionary.border == Border::reversed;
     reads_dark_ = reads_dark_ || !reversed || limits.inverted;
     reads_light_ = reads_light_ || reversed || limits.inverted;
   }
@@ -81,10 +84,19 @@ std::size_t MarkerReader::memory() const {
   return bytes;
 }
 
-bool MarkerReader::has_border(const GreyFrame& frame, const Quad& quad) const {
+bool MarkerReader::may_be_marker(const GreyFrame& frame, const Quad& quad) const {
+  constexpr int one_in = 4;
+  constexpr float least_light = 0.3F;  // of the lightest cell; seldom below 0.6 in markers of 8 px
   return std::any_of(layouts_.begin(), layouts_.end(), [&](const Layout& layout) {
-    return fits(layout, quad) &&
-           fit_light(frame, Homography(quad.corners, layout.width), layout.rings, quad.light_inside, 4);
+    if (!fits(layout, quad)) return false;
+    const Homography place(quad.corners, layout.width);
+    const std::optional<LightModel> light = fit_light(frame, place, layout.rings, quad.light_inside, one_in);
+    if (!light) return false;
+    if (layout.has_plain) return true;
+    std::array<float, most_samples> values;  // NOLINT(*-member-init): samples fill it
+    sample_cells(frame, place, layout.middles, values.data());
+    light->make_relative(layout.middles, values.data());
+    return *std::max_element(values.data(), values.data() + layout.middles.size()) >= least_light;
   });
 }
 

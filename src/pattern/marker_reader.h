@@ -31,8 +31,9 @@ class MarkerReader {
   /// those corrected; then the one asked for first.
   [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
 
-  /// Whether a quadrilateral may have a marker's border: a quick look before its edges are refined.
-  [[nodiscard]] bool has_border(const GreyFrame& frame, const Quad& quad) const;
+  /// Whether a quadrilateral may be a marker, by its border and by the lightest of its cells: a quick look
+  /// before its edges are refined.
+  [[nodiscard]] bool may_be_marker(const GreyFrame& frame, const Quad& quad) const;
 
   /// The lowest row that reading this quadrilateral may look at because of data cells below the square; -1
   /// when all cells lie inside it.
@@ -56,7 +57,8 @@ class MarkerReader {
     int width;
     Border border;
     std::vector<Cell> cells;
-    int overhang;  // cells by which the data reach beyond the square
+    int overhang;            // cells by which the data reach beyond the square
+    bool has_plain = false;  // there is a code without any cell unlike the border
     BorderRings rings;
     CellPoints middles;  // of the data cells
     CellPoints spread;   // several points of each data cell

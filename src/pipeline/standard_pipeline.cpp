@@ -99,7 +99,7 @@ void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& fra
                             FrameStats& stats) const {
   if (found.has(quad.corners)) return;
   std::optional<Marker> marker;
-  if (reader_.has_border(frame, quad)) {
+  if (reader_.may_be_marker(frame, quad)) {
     marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
   }
   if (!marker) return found.reject(quad.corners);

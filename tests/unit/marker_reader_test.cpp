@@ -1,0 +1,66 @@
+#include "pattern/marker_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "support/picture.h"
+
+namespace runmark {
+namespace {
+
+const auto corners = test::turned_square({50.3, 49.8}, 40, 12);
+
+Dictionary dictionary_of(Result<Dictionary> dictionary) {
+  EXPECT_TRUE(dictionary);
+  return *std::move(dictionary);
+}
+
+Quad quad_at(const std::array<Point, 4>& at, bool light_inside = false) {
+  Quad quad;
+  quad.corners = at;
+  quad.light_inside = light_inside;
+  return quad;
+}
+
+/// A black square on the white frame.
+test::Picture& plain_square(test::Picture& picture) {
+  test::PlaneMap map(corners);
+  picture.draw([&](double x, double y) {
+    const Point uv = map(x, y);
+    return uv.x > 0 && uv.y > 0 && uv.x < 1 && uv.y < 1 ? 40.0 : 200.0;
+  });
+  return picture;
+}
+
+TEST(MarkerReader, EveryMarkerMayBeOne) {
+  for (const char* name : {"DICT_4X4_50", "tag16h5", "tag36h11", "DICT_ARUCO_ORIGINAL", "tagStandard41h12"}) {
+    const Dictionary dictionary = dictionary_of(builtin_dictionary(name));
+    const MarkerReader reader({dictionary}, {});
+    const bool reversed = dictionary.border == Border::reversed;
+    for (std::size_t id = 0; id < 30; ++id) {
+      test::Picture picture(100, 100, reversed ? 30 : 220);
+      test::draw_at(picture, dictionary, id, corners);
+      EXPECT_TRUE(reader.may_be_marker(picture.frame(), quad_at(corners, reversed))) << name << ' ' << id;
+    }
+  }
+}
+
+TEST(MarkerReader, APlainSquareIsNone) {
+  test::Picture picture(100, 100, 200);
+  const MarkerReader reader({dictionary_of(builtin_dictionary("tag36h11"))}, {});
+  EXPECT_FALSE(reader.may_be_marker(plain_square(picture).frame(), quad_at(corners)));
+}
+
+TEST(MarkerReader, APlainSquareIsOneWhenADictionarySaysSo) {
+  test::Picture picture(100, 100, 200);
+  const MarkerReader reader({dictionary_of(parse_codes("4 0\nsymmetric 0\n0000\n00ff\n", "plain"))}, {});
+  ASSERT_TRUE(reader.may_be_marker(plain_square(picture).frame(), quad_at(corners)));
+  const auto marker = reader.read(picture.frame(), quad_at(corners));
+  ASSERT_TRUE(marker);
+  EXPECT_EQ(marker->id, 0);
+}
+
+}  // namespace
+}  // namespace runmark
