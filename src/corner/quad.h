@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "runmark/marker.h"
 
@@ -10,6 +11,8 @@ namespace runmark {
 struct Quad {
   std::array<Point, 4> corners{};
   bool light_inside = false;  ///< the boundary of a light region (a hole); else of a dark one
+  /// Standard deviation of the blur of its edges, in pixels; infinite until it was measured.
+  double blur = std::numeric_limits<double>::infinity();
 };
 
 [[nodiscard]] inline double cross(Point a, Point b, Point c) {

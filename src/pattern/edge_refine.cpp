@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "corner/line_fit.h"
@@ -19,6 +20,7 @@ constexpr double least_window = 1.25;
 struct SideEdge {
   Line at_start;
   Line at_end;
+  double blur;  // standard deviation, pixels
 };
 
 /// One side of the quadrilateral over the pixel rows it crosses, or the columns where it is nearer to level.
@@ -56,7 +58,7 @@ class SideEdgeSearch {
       if (!fine(width, length_ > long_side, bow)) return std::nullopt;
     }
     if (std::max(std::fabs(bow.at(0)), std::fabs(bow.at(1))) > across + 1) return std::nullopt;
-    return SideEdge{tangent(bow, 0), tangent(bow, 1)};
+    return SideEdge{tangent(bow, 0), tangent(bow, 1), spread_ * cosine_};
   }
 
  private:
@@ -131,15 +133,15 @@ class SideEdgeSearch {
   }
 
   /// Half the width of the window that holds the edge: more where blur has widened it.
-  [[nodiscard]] double window(double across, const Bow& bow) const {
+  [[nodiscard]] double window(double across, const Bow& bow) {
     float offset[most_lines];
     cross_lines(bow, offset);
     const auto near = static_cast<double>(window_sum(rises_, offset, 0.75F));
     const auto all = static_cast<double>(window_sum(rises_, offset, static_cast<float>(across)));
     if (near <= 0) return across;
     // A Gaussian edge has half of its rise within 0.67 standard deviations on both sides.
-    const double spread = 0.6 * all / near;
-    return std::clamp(1.7 * spread, least_window, std::max(across, least_window));
+    spread_ = 0.6 * all / near;
+    return std::clamp(1.7 * spread_, least_window, std::max(across, least_window));
   }
 
   /// The first moment of the rises in a window about the edge found so far. What the window cuts off makes
@@ -184,7 +186,8 @@ class SideEdgeSearch {
   int sign_ = 1;
   const GreyFrame& frame_;
   EdgeRises rises_;
-  double share_[most_lines]{};  // of the way from start to end, of each line
+  double spread_ = std::numeric_limits<double>::infinity();  // standard deviation of the rises, across
+  double share_[most_lines]{};                               // of the way from start to end, of each line
 };
 
 }  // namespace
@@ -205,6 +208,7 @@ Quad refine_edges(const GreyFrame& frame, const Quad& quad, int cells, double re
     sides[i] = *edge;
   }
   Quad refined = quad;
+  refined.blur = std::max({sides[0].blur, sides[1].blur, sides[2].blur, sides[3].blur});
   for (std::size_t i = 0; i < 4; ++i) {
     const std::optional<Point> corner = meet(sides[(i + 3) % 4].at_end, sides[i].at_start);
     if (!corner) return quad;

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "corner/quad.h"
+#include "pattern/cell_reading.h"
 #include "pattern/code_lookup.h"
 #include "pattern/grey_frame.h"
 #include "pattern/homography.h"
 #include "pattern/light_model.h"
+#include "pattern/marker_layout.h"
 #include "runmark/dictionary.h"
 #include "runmark/marker.h"
 
@@ -50,44 +52,32 @@ class MarkerReader {
     CodeLookup lookup;
   };
   /// Dictionaries whose cells lie alike: sampled once.
-  struct Layout {
-    explicit Layout(const Dictionary& dictionary);
-    [[nodiscard]] bool has(const Dictionary& dictionary) const;
-
-    int width;
-    Border border;
-    std::vector<Cell> cells;
-    int overhang;            // cells by which the data reach beyond the square
-    bool has_plain = false;  // there is a code without any cell unlike the border
-    BorderRings rings;
-    CellPoints middles;  // of the data cells
-    CellPoints spread;   // several points of each data cell
-    CellPoints square;   // the middles of all cells of the square, row by row
+  struct Group {
+    MarkerLayout layout;
     std::vector<Book> books;
+    bool has_plain = false;  // there is a code without any cell unlike the border
   };
-  [[nodiscard]] bool fits(const Layout& layout, const Quad& quad) const {
-    const bool inverted = quad.light_inside != (layout.border == Border::reversed);
+  [[nodiscard]] bool fits(const MarkerLayout& layout, const Quad& quad) const {
+    const bool inverted = quad.light_inside != layout.is_reversed();
     return !inverted || limits_.inverted;
   }
-  struct Reading {
-    std::uint64_t code = 0;
-    float margin = 0;
-  };
   /// The marker read so far and how likely a random square reads as well.
   struct Best {
     std::optional<Marker> marker;
     double chance = 2;
+    const MarkerLayout* layout = nullptr;
+    std::uint64_t code = 0;
   };
-  [[nodiscard]] static Reading sample(const GreyFrame& frame, const Homography& place,
-                                      const LightModel& light, const Layout& layout);
+  /// Places a marker's corners by all of its cells.
+  static void fit_corners(const GreyFrame& frame, double blur, const Best& best, Marker& marker);
   void read_unblurred(const GreyFrame& frame, const Quad& quad, const Homography& place,
-                      const LightModel& light, const Layout& layout, Best& best) const;
+                      const LightModel& light, const Group& group, Best& best) const;
   /// Looks the code up in the dictionaries of that layout; false when none has it, or only dictionaries that
   /// take more than a share of `most_accepted` of random readings for one of their codes.
-  static bool look_up(const Reading& reading, const Quad& quad, const Layout& layout, double most_accepted,
+  static bool look_up(const CellReading& reading, const Quad& quad, const Group& group, double most_accepted,
                       Best& best);
 
-  std::vector<Layout> layouts_;
+  std::vector<Group> groups_;
   ReaderLimits limits_;
   int most_cells_ = 0;
   bool reads_dark_ = false;

@@ -145,6 +145,15 @@ class Search {
 
 }  // namespace
 
+float spill(double blur) {
+  constexpr double step = 0.15;
+  constexpr std::array shares{0.0, 0.0004, 0.0478, 0.1328, 0.1961, 0.2297, 0.2415, 0.2405};
+  const double place = std::min(blur / step, shares.size() - 1.001);
+  const auto below = static_cast<std::size_t>(place);
+  return static_cast<float>(shares[below] +
+                            (place - static_cast<double>(below)) * (shares[below + 1] - shares[below]));
+}
+
 Unblurred unblur(const CellValues& values, std::span<const Cell> cells, float across, float down) {
   constexpr int relaxations = 6;
   constexpr int most_rounds = 4;

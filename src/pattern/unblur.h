@@ -23,6 +23,10 @@ struct Unblurred {
   float margin = 0;        ///< as Marker::margin
 };
 
+/// The share of a cell's light that a Gaussian blur of that standard deviation, in cells, moves into the
+/// next.
+[[nodiscard]] float spill(double blur);
+
 /// Looks for the cells whose blurred picture is nearest to `values`, black and white level by least squares:
 /// first for any greys, one cell after the other, then rounded, and then every cell is turned over that
 /// brings the picture nearer. Cells in the border are 0 and those outside 1. No margin where the values show
