@@ -132,19 +132,27 @@ void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, cons
   }
 }
 
-void MarkerReader::fit_corners(const GreyFrame& frame, double blur, const Best& best, Marker& marker) {
+bool MarkerReader::confirm(const GreyFrame& frame, double blur, const Best& best, Marker& marker) {
   constexpr double largest_side = 100;  // pixels; the outer edges of larger ones tell enough
-  constexpr double least_blur = 0.15;   // cells; sharper edges are where they were found
-  constexpr int one_in = 4;
+  constexpr double least_blur = 0.16;   // cells; sharper edges are where they were found
+  constexpr double least_explained = 0.8;
+  constexpr double most_doubtful = 36;    // pixels; the side of squares that text is full of
+  constexpr std::size_t small_code = 16;  // bits, which much reads as that is no marker
   const MarkerLayout& layout = *best.layout;
   const double side = std::sqrt(area_of(marker.corners));
-  if (layout.picture.size() == 0 || side > largest_side || blur * layout.width < least_blur * side) return;
+  const bool doubtful = layout.cells.size() <= small_code && side <= most_doubtful;
+  const bool blurred = side <= largest_side && blur * layout.width >= least_blur * side;
+  if (layout.picture.size() == 0 || !(doubtful || blurred)) return true;
   const Homography place(marker.corners, layout.width);
   const bool light_inside = marker.inverted != layout.is_reversed();
-  const std::optional<LightModel> light = fit_light(frame, place, layout.rings, light_inside, one_in);
-  if (!light) return;
-  const auto corners = fit_pattern(frame, layout.cells_of(best.code), layout.picture, *light, marker.corners);
-  if (corners) marker.corners = *corners;
+  const std::optional<LightModel> light = fit_light(frame, place, layout.rings, light_inside, 1);
+  if (!light) return !doubtful;
+  const PatternFit fit =
+      fit_pattern(frame, layout.cells_of(best.code), layout.picture, *light, marker.corners);
+  // Noise takes more of what small cells show.
+  if (doubtful && fit.explained < std::min(0.5 + 0.1 * side / layout.width, least_explained)) return false;
+  if (blurred && !fit.is_sharp && fit.explained >= least_explained) marker.corners = fit.corners;
+  return true;
 }
 
 std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad) const {
@@ -161,7 +169,7 @@ std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& qua
     if (reading.margin >= limits_.min_margin && look_up(reading, quad, group, 1, best)) continue;
     read_unblurred(frame, quad, place, *light, group, best);
   }
-  if (best.marker) fit_corners(frame, quad.blur, best, *best.marker);
+  if (best.marker && !confirm(frame, quad.blur, best, *best.marker)) return std::nullopt;
   return best.marker;
 }
 

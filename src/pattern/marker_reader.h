@@ -68,8 +68,9 @@ class MarkerReader {
     const MarkerLayout* layout = nullptr;
     std::uint64_t code = 0;
   };
-  /// Places a marker's corners by all of its cells.
-  static void fit_corners(const GreyFrame& frame, double blur, const Best& best, Marker& marker);
+  /// Compares the whole pattern with the frame and places the corners by all of its edges; false where a
+  /// small code is not what the frame shows.
+  [[nodiscard]] static bool confirm(const GreyFrame& frame, double blur, const Best& best, Marker& marker);
   void read_unblurred(const GreyFrame& frame, const Quad& quad, const Homography& place,
                       const LightModel& light, const Group& group, Best& best) const;
   /// Looks the code up in the dictionaries of that layout; false when none has it, or only dictionaries that

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pattern/homography.h"
 #include "pattern/normal_equations.h"
@@ -156,20 +157,21 @@ class Fit {
 
 }  // namespace
 
-std::optional<std::array<Point, 4>> fit_pattern(const GreyFrame& frame, const PatternCells& cells,
-                                                const CellPoints& places, const LightModel& light,
-                                                const std::array<Point, 4>& corners) {
+PatternFit fit_pattern(const GreyFrame& frame, const PatternCells& cells, const CellPoints& places,
+                       const LightModel& light, const std::array<Point, 4>& corners) {
   constexpr int most_rounds = 4;
   constexpr double near_enough = 0.15;  // pixels
-  constexpr double least_explained = 0.8;
   Fit fit(cells, places, corners);
+  PatternFit result{corners, -1, false};
   for (int round = 0; round < most_rounds; ++round) {
     const std::optional<double> change = fit.improve(frame, light);
-    if (!change) return std::nullopt;
+    result.explained = std::max(result.explained, fit.explained());
+    if (!change) return result;
     if (*change < near_enough) break;
   }
-  if (fit.is_sharp() || fit.explained() < least_explained) return std::nullopt;
-  return fit.corners();
+  result.corners = fit.corners();
+  result.is_sharp = fit.is_sharp();
+  return result;
 }
 
 }  // namespace runmark

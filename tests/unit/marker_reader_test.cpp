@@ -10,7 +10,7 @@
 namespace runmark {
 namespace {
 
-const auto corners = test::turned_square({50.3, 49.8}, 40, 12);
+const auto corners = test::turned_square({50.3, 49.8}, 60, 12);
 
 Dictionary dictionary_of(Result<Dictionary> dictionary) {
   EXPECT_TRUE(dictionary);
