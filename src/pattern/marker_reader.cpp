@@ -74,16 +74,22 @@ int MarkerReader::lowest_row(const Quad& quad) const {
 
 bool MarkerReader::look_up(const CellReading& reading, const Quad& quad, const Group& group,
                            double most_accepted, Best& best) {
+  // Of random readings: text is full of squares with tiny cells, and wrong bits make one of them a code.
+  constexpr double most_corrected = 1 / 262144.0;
+  constexpr double tiny_cell = 1.5;  // pixels
   const MarkerLayout& layout = group.layout;
   const bool reversed = layout.is_reversed();
+  const double width = tiny_cell * layout.width;
+  const bool tiny = area_of(quad.corners) < width * width;
   // The model's 1 is the ring outside: white round a black border, black round a reversed one.
   const std::size_t bits = layout.cells.size();
   const std::uint64_t code = reversed ? reading.code ^ (~std::uint64_t{0} >> (64 - bits)) : reading.code;
   bool found = false;
   for (const Book& book : group.books) {
     const auto match = book.lookup.find(code);
-    if (!match || accepted_share(bits, book.dictionary->codes.size(), match->hamming) > most_accepted)
-      continue;
+    if (!match) continue;
+    const double accepted = accepted_share(bits, book.dictionary->codes.size(), match->hamming);
+    if (accepted > (tiny && match->hamming > 0 ? most_corrected : most_accepted)) continue;
     found = true;
     const double chance = accepted_share(bits, 1, match->hamming);
     if (chance >= best.chance) continue;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "support/picture.h"
@@ -60,6 +61,22 @@ TEST(MarkerReader, APlainSquareIsOneWhenADictionarySaysSo) {
   const auto marker = reader.read(picture.frame(), quad_at(corners));
   ASSERT_TRUE(marker);
   EXPECT_EQ(marker->id, 0);
+}
+
+TEST(MarkerReader, WrongBitsOfTinyCellsAreCorrectedWhereChanceIsLow) {
+  const auto is_read = [](const char* name, double side) {
+    const Dictionary dictionary = dictionary_of(builtin_dictionary(name));
+    Dictionary wrong = dictionary;
+    for (std::uint64_t& code : wrong.codes) code ^= 1;
+    const auto at = test::turned_square({50.3, 49.8}, side, 12);
+    test::Picture picture(100, 100, 220);
+    test::draw_at(picture, wrong, 7, at);
+    const auto marker = MarkerReader({dictionary}, {}).read(picture.frame(), quad_at(at));
+    return marker && marker->id == 7 && marker->hamming == 1;
+  };
+  EXPECT_TRUE(is_read("tag36h11", 11.5));
+  EXPECT_TRUE(is_read("tag36h10", 14));
+  EXPECT_FALSE(is_read("tag36h10", 11.5)) << "four times as many codes";
 }
 
 }  // namespace
