@@ -18,7 +18,7 @@ version=$("$build/bin/runmark" --version)
 [[ $(dpkg-deb -f "$package" Version) == "${version##* }" ]] || fail "its version is not that of '$version'"
 # Whoever has built it has all that it needs.
 dpkg-deb -f "$package" Depends | tr ',' '\n' | sed 's/ *(.*//; s/^ *//' | while read -r needed; do
-  dpkg -s "$needed" >/dev/null 2>&1 || fail "it needs $needed, which is not installed"
+  dpkg-query -W -f '${db:Status-Status}\n' "$needed" 2>/dev/null | grep -qx installed || fail "it needs $needed, which is not installed"
 done
 
 root=$work/root
