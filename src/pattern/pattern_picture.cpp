@@ -1,18 +1,9 @@
 #include "pattern/pattern_picture.h"
 
-#include <cmath>
+#include "pattern/gaussian.h"
 
 namespace runmark {
 namespace {
-
-/// The share of a step's light that has come in a distance after it.
-double step_at(double distance, double blur) { return 0.5 * std::erfc(-distance / (blur * std::sqrt(2.0))); }
-
-/// How fast it rises there.
-double slope_at(double distance, double blur) {
-  const double x = distance / blur;
-  return 0.3989422804014327 / blur * std::exp(-0.5 * x * x);
-}
 
 std::array<float, 4> floats(double a, double b, double c, double d) {
   return {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d)};

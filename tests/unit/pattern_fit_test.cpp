@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pattern/gaussian.h"
 #include "pattern/marker_layout.h"
 #include "pattern/normal_equations.h"
 #include "support/picture.h"
@@ -113,6 +114,16 @@ TEST(PatternFit, KnowsSharpEdges) {
   const auto truth = test::turned_square({70, 70}, 120, 0);
   test::draw_at(scene.picture, scene.dictionary, 3, truth);
   EXPECT_TRUE(scene.fit(truth, 3).is_sharp);
+}
+
+TEST(Gaussian, IsThatOfTheStandardLibrary) {
+  for (double distance = -6; distance <= 6; distance += 0.05) {
+    for (const double blur : {0.08, 0.3, 0.9, 2.0}) {
+      const double x = distance / blur;
+      EXPECT_NEAR(step_at(distance, blur), 0.5 * std::erfc(-x / std::sqrt(2.0)), 2e-7) << x;
+      EXPECT_NEAR(slope_at(distance, blur) * blur, 0.3989422804014327 * std::exp(-x * x / 2), 1e-9) << x;
+    }
+  }
 }
 
 TEST(PatternPicture, ItsSlopesAreThoseOfItsValues) {
