@@ -1,6 +1,7 @@
 #include "pattern/pattern_fit.h"
 
 #include <gtest/gtest.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
@@ -185,6 +186,30 @@ TEST(NormalEquations, SolveWhatTheyWereMadeOf) {
   ASSERT_TRUE(equations.solve(step));
   for (std::size_t i = 0; i < NormalEquations::parameters; ++i) EXPECT_NEAR(step[i], truth[i], 1e-4);
   EXPECT_FALSE(NormalEquations().solve(step));  // nothing holds any of them
+}
+
+TEST(NormalEquations, AreTheSameOnEveryVectorExtension) {
+  std::mt19937 random(6);
+  std::normal_distribution<float> number;
+  std::vector<NormalEquations::Observation> seen(25);
+  for (auto& o : seen) {
+    for (std::size_t i = 0; i < NormalEquations::parameters; ++i) {
+      o.values[i] = number(random);
+      o.weighted[i] = 0.7F * o.values[i];
+    }
+    o.values[NormalEquations::Observation::rest] = number(random);
+  }
+  std::vector<NormalEquations::Step> steps;
+  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
+    hwy::SetSupportedTargetsForTest(left & -left);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    NormalEquations equations;
+    for (int row = 0; row < 3; ++row) equations.add(seen.data(), seen.size());
+    ASSERT_TRUE(equations.solve(steps.emplace_back()));
+    hwy::SetSupportedTargetsForTest(0);
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  for (const auto& step : steps) EXPECT_EQ(step, steps[0]);
 }
 
 }  // namespace
