@@ -4,11 +4,11 @@
 
 namespace runmark {
 
-void NoiseFloor::add(const std::array<TileExtremes, 3>& bands, int tiles) {
+void NoiseFloor::add(const ThreeBands& bands, int tiles) {
   const auto& [a, b, c] = bands;
-  for (int tile = tile_stride / 2; tile < tiles; tile += tile_stride) {
-    const int low = std::min({a.lowest[tile], b.lowest[tile], c.lowest[tile]});
-    const int high = std::max({a.highest[tile], b.highest[tile], c.highest[tile]});
+  for (std::size_t tile = tile_stride / 2; tile < static_cast<std::size_t>(tiles); tile += tile_stride) {
+    const int low = std::min({a->lowest[tile], b->lowest[tile], c->lowest[tile]});
+    const int high = std::max({a->highest[tile], b->highest[tile], c->highest[tile]});
     ++counts_[static_cast<std::size_t>(high - low)];
     ++seen_;
   }

@@ -20,7 +20,7 @@ class NoiseFloor {
 
   /// Takes every `tile_stride`-th tile of a band between its neighbours: noise does not change from tile to
   /// tile.
-  void add(const std::array<TileExtremes, 3>& bands, int tiles);
+  void add(const ThreeBands& bands, int tiles);
 
   /// The contrast limit to use now: at least `minimum`, and what the noise asks for, up to a cap that
   /// keeps dim markers on textured walls.

@@ -28,10 +28,6 @@ class TileThreshold {
   [[nodiscard]] std::size_t memory() const;
 
  private:
-  struct Extremes {
-    std::vector<std::uint8_t> lowest;
-    std::vector<std::uint8_t> highest;
-  };
   void find_levels();
 
   int tiles_ = 0;
@@ -39,8 +35,8 @@ class TileThreshold {
   TileRule rule_;
   int bands_ = 0;
   NoiseFloor noise_;
-  Extremes fresh_;                  // of the band just taken, not spread
-  std::array<Extremes, 3> spread_;  // oldest first: above, the levels' own, below
+  TileLight fresh_;                  // of the band just taken, not spread
+  std::array<TileLight, 3> spread_;  // oldest first: above, the levels' own, below
   std::vector<std::uint8_t> levels_;
 };
 

@@ -37,11 +37,12 @@ BitWord threshold_word(const std::uint8_t* grey, std::size_t pixels, const std::
 
 }  // namespace
 
-void tile_extremes(const TileBand& band, int width, std::uint8_t* lowest, std::uint8_t* highest) {
+void tile_light(const TileBand& band, int width, TileLight& light, std::size_t first) {
   // Down the columns first, many at a time, then across each tile.
   constexpr int stretch = 64;
   std::uint8_t low[stretch];
   std::uint8_t high[stretch];
+  std::uint8_t mean[stretch];
   for (int begin = 0; begin < width; begin += stretch) {
     const int count = std::min(stretch, width - begin);
     const std::uint8_t* a = band[0] + begin;
@@ -51,61 +52,65 @@ void tile_extremes(const TileBand& band, int width, std::uint8_t* lowest, std::u
     for (int x = 0; x < count; ++x) {
       low[x] = least(least(a[x], b[x]), least(c[x], d[x]));
       high[x] = greatest(greatest(a[x], b[x]), greatest(c[x], d[x]));
+      mean[x] = mean_of(mean_of(a[x], b[x]), mean_of(c[x], d[x]));
     }
     // The last column stands in for those beyond the frame.
     for (int x = count; x % tile_side != 0; ++x) {
       low[x] = low[count - 1];
       high[x] = high[count - 1];
+      mean[x] = mean[count - 1];
     }
     const int tiles = tiles_across(count);
-    const int first = begin / tile_side;
     for (int tile = 0; tile < tiles; ++tile) {
       const std::uint8_t* l = low + tile * tile_side;
       const std::uint8_t* h = high + tile * tile_side;
-      lowest[first + tile] = least(least(l[0], l[1]), least(l[2], l[3]));
-      highest[first + tile] = greatest(greatest(h[0], h[1]), greatest(h[2], h[3]));
+      const std::uint8_t* m = mean + tile * tile_side;
+      const std::size_t at = first + static_cast<std::size_t>(begin / tile_side + tile);
+      light.lowest[at] = least(least(l[0], l[1]), least(l[2], l[3]));
+      light.highest[at] = greatest(greatest(h[0], h[1]), greatest(h[2], h[3]));
+      light.mean[at] = mean_of(mean_of(m[0], m[1]), mean_of(m[2], m[3]));
     }
   }
 }
 
-void spread_extremes(const std::uint8_t* lowest, const std::uint8_t* highest, int tiles,
-                     std::uint8_t* spread_lowest, std::uint8_t* spread_highest) {
-  const std::uint8_t* __restrict low = lowest;
-  const std::uint8_t* __restrict high = highest;
-  std::uint8_t* __restrict out_low = spread_lowest;
-  std::uint8_t* __restrict out_high = spread_highest;
+void spread_light(const TileLight& light, int tiles, TileLight& spread) {
+  const std::uint8_t* __restrict low = light.lowest.data();
+  const std::uint8_t* __restrict high = light.highest.data();
+  const std::uint8_t* __restrict mean = light.mean.data();
+  std::uint8_t* __restrict out_low = spread.lowest.data();
+  std::uint8_t* __restrict out_high = spread.highest.data();
+  std::uint8_t* __restrict out_mean = spread.mean.data();
   const int last = tiles - 1;
-  const int second = std::min(1, last);
-  spread_lowest[0] = least(lowest[0], lowest[second]);
-  spread_highest[0] = greatest(highest[0], highest[second]);
-  for (int tile = 1; tile < last; ++tile) {
+  // One loop each: the compiler takes many tiles at a time.
+  for (int tile = 1; tile < last; ++tile)
     out_low[tile] = least(least(low[tile - 1], low[tile]), low[tile + 1]);
+  for (int tile = 1; tile < last; ++tile) {
     out_high[tile] = greatest(greatest(high[tile - 1], high[tile]), high[tile + 1]);
   }
-  if (last > 0) {
-    spread_lowest[last] = least(lowest[last - 1], lowest[last]);
-    spread_highest[last] = greatest(highest[last - 1], highest[last]);
+  for (int tile = 1; tile < last; ++tile) {
+    out_mean[tile] = mean_of(mean_of(mean[tile - 1], mean[tile + 1]), mean[tile]);
+  }
+  for (const int tile : {0, last}) {
+    const int other = tile == 0 ? std::min(1, last) : last - 1;
+    if (other < 0) continue;
+    out_low[tile] = least(low[tile], low[other]);
+    out_high[tile] = greatest(high[tile], high[other]);
+    out_mean[tile] = mean_of(mean_of(mean[tile], mean[other]), mean[tile]);
   }
 }
 
-void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
-                 std::uint8_t* levels) {
-  // Restricted pointers and narrow integers let the compiler take many tiles at a time.
-  const std::uint8_t* __restrict low0 = bands[0].lowest;
-  const std::uint8_t* __restrict low1 = bands[1].lowest;
-  const std::uint8_t* __restrict low2 = bands[2].lowest;
-  const std::uint8_t* __restrict high0 = bands[0].highest;
-  const std::uint8_t* __restrict high1 = bands[1].highest;
-  const std::uint8_t* __restrict high2 = bands[2].highest;
-  std::uint8_t* __restrict out = levels;
-  const auto share = static_cast<std::uint16_t>(rule.share);
-  const auto contrast = static_cast<std::uint16_t>(rule.contrast);
-  for (int tile = 0; tile < tiles; ++tile) {
-    const std::uint16_t low = least(least(low0[tile], low1[tile]), low2[tile]);
-    const std::uint16_t high = greatest(greatest(high0[tile], high1[tile]), high2[tile]);
-    const auto range = static_cast<std::uint16_t>(high - low);
-    const auto level = static_cast<std::uint16_t>(low + static_cast<std::uint16_t>(range * share) / 16);
-    out[tile] = static_cast<std::uint8_t>(range < contrast ? 0 : level);
+void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels,
+                 std::size_t first) {
+  const auto& [above, own, below] = bands;
+  for (std::size_t tile = first; tile < static_cast<std::size_t>(tiles); ++tile) {
+    const int low = least(least(above->lowest[tile], own->lowest[tile]), below->lowest[tile]);
+    const int high = greatest(greatest(above->highest[tile], own->highest[tile]), below->highest[tile]);
+    const int mean = mean_of(mean_of(above->mean[tile], below->mean[tile]), own->mean[tile]);
+    const int range = high - low;
+    const int rise = range * rule.share / 16;
+    const int lack = std::max(low + range / 2 - mean, 0);
+    const int fall = std::min({lack - lack / 4, range / 4 - range / 16, rise});
+    levels[tile] = static_cast<std::uint8_t>(range < rule.contrast ? 0 : low + rise - fall);
   }
 }
 

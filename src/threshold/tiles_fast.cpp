@@ -12,11 +12,10 @@ HWY_BEFORE_NAMESPACE();
 namespace runmark::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
-void TileExtremesOf(const TileBand& band, int width, std::uint8_t* lowest, std::uint8_t* highest) {
-  runmark::tile_extremes(band, width, lowest, highest);
+void TileLightOf(const TileBand& band, int width, TileLight& light) {
+  runmark::tile_light(band, width, light);
 }
-void TileLevelsOf(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
-                  std::uint8_t* levels) {
+void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
   runmark::tile_levels(bands, tiles, rule, levels);
 }
 void ThresholdRowOf(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits) {
@@ -35,55 +34,76 @@ HWY_INLINE int whole_vectors(int width) {
   return width / lanes * lanes;
 }
 
-void TileExtremesOf(const TileBand& band, int width, std::uint8_t* lowest, std::uint8_t* highest) {
+/// Joins the four bytes of each tile: afterwards the first is right.
+template <class Join>
+HWY_INLINE hn::Vec<TileBytes> AcrossTiles(hn::Vec<Bytes> v, Join&& join) {
   const Bytes d;
   const Words words;
+  v = join(v, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(words, v))));
+  v = join(v, hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(words, v))));
+  return hn::TruncateTo(TileBytes(), hn::BitCast(words, v));
+}
+
+void TileLightOf(const TileBand& band, int width, TileLight& light) {
+  const Bytes d;
   const TileBytes tiles;
+  const auto least = [](auto a, auto b) HWY_ATTR { return hn::Min(a, b); };
+  const auto greatest = [](auto a, auto b) HWY_ATTR { return hn::Max(a, b); };
+  const auto mean_of = [](auto a, auto b) HWY_ATTR { return hn::AverageRound(a, b); };
   const int whole = whole_vectors(width);
   for (int x = 0; x < whole; x += static_cast<int>(hn::Lanes(d))) {
     const auto a = hn::LoadU(d, band[0] + x);
     const auto b = hn::LoadU(d, band[1] + x);
     const auto c = hn::LoadU(d, band[2] + x);
     const auto e = hn::LoadU(d, band[3] + x);
-    auto low = hn::Min(hn::Min(a, b), hn::Min(c, e));
-    auto high = hn::Max(hn::Max(a, b), hn::Max(c, e));
-    // Of four bytes the first is right afterwards; zeros come in above it only.
-    low = hn::Min(low, hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(words, low))));
-    high = hn::Max(high, hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(words, high))));
-    low = hn::Min(low, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(words, low))));
-    high = hn::Max(high, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(words, high))));
-    hn::StoreU(hn::TruncateTo(tiles, hn::BitCast(words, low)), tiles, lowest + x / tile_side);
-    hn::StoreU(hn::TruncateTo(tiles, hn::BitCast(words, high)), tiles, highest + x / tile_side);
+    const auto joined = [&](auto join) HWY_ATTR { return AcrossTiles(join(join(a, b), join(c, e)), join); };
+    const int tile = x / tile_side;
+    hn::StoreU(joined(least), tiles, light.lowest.data() + tile);
+    hn::StoreU(joined(greatest), tiles, light.highest.data() + tile);
+    hn::StoreU(joined(mean_of), tiles, light.mean.data() + tile);
   }
   if (whole == width) return;
   const TileBand rest{band[0] + whole, band[1] + whole, band[2] + whole, band[3] + whole};
-  runmark::tile_extremes(rest, width - whole, lowest + whole / tile_side, highest + whole / tile_side);
+  runmark::tile_light(rest, width - whole, light, static_cast<std::size_t>(whole / tile_side));
 }
 
-void TileLevelsOf(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
-                  std::uint8_t* levels) {
+/// Bytes divided by 2^bits.
+template <int bits>
+HWY_INLINE hn::Vec<Bytes> Part(hn::Vec<Bytes> v) {
   const Bytes d;
   const Pairs pairs;
+  return hn::And(hn::BitCast(d, hn::ShiftRight<bits>(hn::BitCast(pairs, v))),
+                 hn::Set(d, std::uint8_t{0xFF >> bits}));
+}
+
+void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
+  const Bytes d;
+  const Pairs pairs;
+  const auto& [above, own, below] = bands;
   const auto contrast = hn::Set(d, static_cast<std::uint8_t>(rule.contrast));
   const auto share = hn::Set(pairs, static_cast<std::uint16_t>(rule.share));
   const auto low_byte = hn::Set(pairs, std::uint16_t{0xFF});
   const int whole = whole_vectors(tiles);
   for (int t = 0; t < whole; t += static_cast<int>(hn::Lanes(d))) {
-    const auto low = hn::Min(hn::Min(hn::LoadU(d, bands[0].lowest + t), hn::LoadU(d, bands[1].lowest + t)),
-                             hn::LoadU(d, bands[2].lowest + t));
-    const auto high = hn::Max(hn::Max(hn::LoadU(d, bands[0].highest + t), hn::LoadU(d, bands[1].highest + t)),
-                              hn::LoadU(d, bands[2].highest + t));
+    const auto load = [&](const std::vector<std::uint8_t>& row)
+                          HWY_ATTR { return hn::LoadU(d, row.data() + t); };
+    const auto low = hn::Min(hn::Min(load(above->lowest), load(own->lowest)), load(below->lowest));
+    const auto high = hn::Max(hn::Max(load(above->highest), load(own->highest)), load(below->highest));
+    const auto mean =
+        hn::AverageRound(hn::AverageRound(load(above->mean), load(below->mean)), load(own->mean));
     const auto range = hn::Sub(high, low);
     const auto even = hn::And(hn::BitCast(pairs, range), low_byte);
     const auto odd = hn::ShiftRight<8>(hn::BitCast(pairs, range));
-    const auto even_part = hn::ShiftRight<4>(hn::Mul(even, share));
-    const auto odd_part = hn::ShiftLeft<8>(hn::ShiftRight<4>(hn::Mul(odd, share)));
-    const auto level = hn::Add(low, hn::BitCast(d, hn::Or(even_part, odd_part)));
+    const auto even_rise = hn::ShiftRight<4>(hn::Mul(even, share));
+    const auto odd_rise = hn::ShiftLeft<8>(hn::ShiftRight<4>(hn::Mul(odd, share)));
+    const auto rise = hn::BitCast(d, hn::Or(even_rise, odd_rise));
+    const auto lack = hn::SaturatedSub(hn::Add(low, Part<1>(range)), mean);
+    const auto fall =
+        hn::Min(hn::Min(hn::Sub(lack, Part<2>(lack)), hn::Sub(Part<2>(range), Part<4>(range))), rise);
+    const auto level = hn::Sub(hn::Add(low, rise), fall);
     hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, contrast), level), d, levels + t);
   }
-  std::array<TileExtremes, 3> rest = bands;
-  for (TileExtremes& band : rest) band = {band.lowest + whole, band.highest + whole};
-  runmark::tile_levels(rest, tiles - whole, rule, levels + whole);
+  runmark::tile_levels(bands, tiles, rule, levels, static_cast<std::size_t>(whole));
 }
 
 void ThresholdRowOf(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits) {
@@ -125,16 +145,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace runmark::fast {
 
-HWY_EXPORT(TileExtremesOf);
+HWY_EXPORT(TileLightOf);
 HWY_EXPORT(TileLevelsOf);
 HWY_EXPORT(ThresholdRowOf);
 
-void tile_extremes(const TileBand& band, int width, std::uint8_t* lowest, std::uint8_t* highest) {
-  HWY_DYNAMIC_DISPATCH(TileExtremesOf)(band, width, lowest, highest);
+void tile_light(const TileBand& band, int width, TileLight& light) {
+  HWY_DYNAMIC_DISPATCH(TileLightOf)(band, width, light);
 }
 
-void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
-                 std::uint8_t* levels) {
+void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
   HWY_DYNAMIC_DISPATCH(TileLevelsOf)(bands, tiles, rule, levels);
 }
 

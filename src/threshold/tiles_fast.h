@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "preprocess/bit_row.h"
@@ -10,9 +9,8 @@
 /// on. Each does what the function of the same name outside `fast` does, bit for bit.
 namespace runmark::fast {
 
-void tile_extremes(const TileBand& band, int width, std::uint8_t* lowest, std::uint8_t* highest);
-void tile_levels(const std::array<TileExtremes, 3>& bands, int tiles, const TileRule& rule,
-                 std::uint8_t* levels);
+void tile_light(const TileBand& band, int width, TileLight& light);
+void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels);
 void threshold_row(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits);
 
 }  // namespace runmark::fast

@@ -85,27 +85,31 @@ void compare_tiles(Rows& rows, int width, const TileRule& rule) {
   std::array<Bytes, 4> grey;
   for (Bytes& row : grey) row = rows.bytes(count);
   const TileBand band{grey[0].data(), grey[1].data(), grey[2].data(), grey[3].data()};
-  std::array<Bytes, 3> low;
-  std::array<Bytes, 3> high;
-  std::array<TileExtremes, 3> bands;
-  for (std::size_t b = 0; b < 3; ++b) {
-    low[b] = rows.bytes(tiles);
-    high[b] = rows.bytes(tiles);
+  std::vector<TileLight> spread(3, TileLight(tiles));
+  for (TileLight& b : spread) {
+    b.lowest = rows.bytes(tiles);
+    b.highest = rows.bytes(tiles);
+    b.mean = rows.bytes(tiles);
     for (std::size_t i = 0; i < tiles; ++i) {
-      if (low[b][i] > high[b][i]) std::swap(low[b][i], high[b][i]);
+      if (b.lowest[i] > b.highest[i]) std::swap(b.lowest[i], b.highest[i]);
+      b.mean[i] = std::clamp(b.mean[i], b.lowest[i], b.highest[i]);
     }
-    bands[b] = {low[b].data(), high[b].data()};
   }
-  Bytes lowest(tiles), highest(tiles), levels(tiles);
+  const ThreeBands bands{&spread[0], &spread[1], &spread[2]};
+  TileLight light(tiles);
+  Bytes levels(tiles);
   Words bits(bit_words(width));
-  tile_extremes(band, width, lowest.data(), highest.data());
+  tile_light(band, width, light);
   tile_levels(bands, static_cast<int>(tiles), rule, levels.data());
   threshold_row(grey[0].data(), width, levels.data(), bits.data());
   on_every_target([&] {
-    Bytes quick_lowest(tiles), quick_highest(tiles), quick_levels(tiles);
+    TileLight quick_light(tiles);
+    Bytes quick_levels(tiles);
     Words quick_bits(bit_words(width));
-    fast::tile_extremes(band, width, quick_lowest.data(), quick_highest.data());
-    expect(quick_lowest == lowest && quick_highest == highest, "tile_extremes");
+    fast::tile_light(band, width, quick_light);
+    expect(quick_light.lowest == light.lowest && quick_light.highest == light.highest &&
+               quick_light.mean == light.mean,
+           "tile_light");
     fast::tile_levels(bands, static_cast<int>(tiles), rule, quick_levels.data());
     expect(quick_levels == levels, "tile_levels");
     fast::threshold_row(grey[0].data(), width, levels.data(), quick_bits.data());

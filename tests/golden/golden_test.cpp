@@ -101,7 +101,7 @@ TEST(Golden, HardwarePipelineFindsWhatOneScaleFinds) {
     sum.found += tally.found;
     sum.false_alarms += tally.false_alarms;
   };
-  for (const LabelledImage& image : rendered_scenes("vga", 40)) {
+  for (const LabelledImage& image : rendered_scenes("vga", 150)) {
     add(hardware, tally_of(image, {.pipeline = Pipeline::hardware}));
     add(one_scale, tally_of(image, {.octaves = 0}));
   }

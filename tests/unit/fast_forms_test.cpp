@@ -89,23 +89,24 @@ class FastForms : public testing::TestWithParam<std::int64_t> {
   }
 };
 
-TEST_P(FastForms, TileExtremes) {
+TEST_P(FastForms, TileLight) {
   std::mt19937 random(1);
   for (const int width : widths) {
     const auto count = static_cast<std::size_t>(width);
     const std::array rows{random_bytes(random, count), random_bytes(random, count), camera_row(random, count),
                           camera_row(random, count)};
     const TileBand band{rows[0].data(), rows[1].data(), rows[2].data(), rows[3].data()};
-    const auto tiles = static_cast<std::size_t>(tiles_across(width));
-    Bytes low(tiles), high(tiles), fast_low(tiles), fast_high(tiles);
-    tile_extremes(band, width, low.data(), high.data());
-    fast::tile_extremes(band, width, fast_low.data(), fast_high.data());
-    ASSERT_EQ(fast_low, low) << width;
-    ASSERT_EQ(fast_high, high) << width;
+    TileLight light(static_cast<std::size_t>(tiles_across(width)));
+    TileLight fast_light = light;
+    tile_light(band, width, light);
+    fast::tile_light(band, width, fast_light);
+    ASSERT_EQ(fast_light.lowest, light.lowest) << width;
+    ASSERT_EQ(fast_light.highest, light.highest) << width;
+    ASSERT_EQ(fast_light.mean, light.mean) << width;
     if (width != 1921) continue;
     print_speed(
-        "tile_extremes", [&] { tile_extremes(band, width, low.data(), high.data()); },
-        [&] { fast::tile_extremes(band, width, low.data(), high.data()); });
+        "tile_light", [&] { tile_light(band, width, light); },
+        [&] { fast::tile_light(band, width, fast_light); });
   }
 }
 
@@ -113,17 +114,17 @@ TEST_P(FastForms, TileLevels) {
   std::mt19937 random(2);
   for (const int tiles : widths) {
     const auto count = static_cast<std::size_t>(tiles);
-    std::array<Bytes, 3> low;
-    std::array<Bytes, 3> high;
-    std::array<TileExtremes, 3> bands;
-    for (std::size_t b = 0; b < 3; ++b) {
-      low[b] = random_bytes(random, count);
-      high[b] = random_bytes(random, count);
+    std::vector<TileLight> light(3, TileLight(count));
+    for (TileLight& band : light) {
+      band.lowest = random_bytes(random, count);
+      band.highest = random_bytes(random, count);
       for (std::size_t i = 0; i < count; ++i) {
-        if (low[b][i] > high[b][i]) std::swap(low[b][i], high[b][i]);
+        if (band.lowest[i] > band.highest[i]) std::swap(band.lowest[i], band.highest[i]);
+        const int range = band.highest[i] - band.lowest[i] + 1;
+        band.mean[i] = static_cast<std::uint8_t>(band.lowest[i] + static_cast<int>(random() % 256) % range);
       }
-      bands[b] = {low[b].data(), high[b].data()};
     }
+    const ThreeBands bands{&light[0], &light[1], &light[2]};
     for (const TileRule rule : {TileRule{20, 8}, TileRule{1, 16}, TileRule{255, 1}, TileRule{200, 9}}) {
       Bytes levels(count);
       Bytes fast_levels(count);

@@ -11,7 +11,22 @@ namespace {
 
 using Grey = std::vector<std::uint8_t>;
 
-/// The definition, pixel by pixel over the whole frame: extremes of the 3x3 tiles round the pixel's own.
+int mean_of_two(int a, int b) { return (a + b + 1) / 2; }
+
+/// Means of means over a tile; pixels beyond the frame are those at its rim.
+int tile_mean(const Grey& grey, int width, int height, int tile_x, int tile_y) {
+  const auto column = [&](int i) {
+    const auto at = [&](int j) {
+      const int x = std::min(tile_x * tile_side + i, width - 1);
+      const int y = std::min(tile_y * tile_side + j, height - 1);
+      return int{grey[static_cast<std::size_t>(y * width + x)]};
+    };
+    return mean_of_two(mean_of_two(at(0), at(1)), mean_of_two(at(2), at(3)));
+  };
+  return mean_of_two(mean_of_two(column(0), column(1)), mean_of_two(column(2), column(3)));
+}
+
+/// The definition, pixel by pixel over the whole frame, by the 3x3 tiles round the pixel's own.
 bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, const TileRule& rule) {
   const int tile_x = x / tile_side;
   const int tile_y = y / tile_side;
@@ -24,8 +39,19 @@ bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, c
       high = std::max(high, value);
     }
   }
-  return high - low >= rule.contrast &&
-         grey[static_cast<std::size_t>(y * width + x)] < low + (high - low) * rule.share / 16;
+  const auto row_mean = [&](int v) {
+    v = std::clamp(v, 0, (height - 1) / tile_side);
+    const auto at = [&](int u) {
+      return tile_mean(grey, width, height, std::clamp(u, 0, (width - 1) / tile_side), v);
+    };
+    return mean_of_two(mean_of_two(at(tile_x - 1), at(tile_x + 1)), at(tile_x));
+  };
+  const int mean = mean_of_two(mean_of_two(row_mean(tile_y - 1), row_mean(tile_y + 1)), row_mean(tile_y));
+  const int range = high - low;
+  const int below = std::max(low + range / 2 - mean, 0);
+  const int rise = range * rule.share / 16;
+  const int level = low + rise - std::min({below - below / 4, range / 4 - range / 16, rise});
+  return range >= rule.contrast && grey[static_cast<std::size_t>(y * width + x)] < level;
 }
 
 std::vector<bool> threshold_by_bands(const Grey& grey, int width, int height, const TileRule& rule) {
@@ -91,6 +117,22 @@ TEST(TileThreshold, FlatIsWhiteAndEdgesFollowTheLight) {
   for (int x = 0; x < width; ++x) EXPECT_EQ(dark[static_cast<std::size_t>(x)], x >= 30 && x < 34) << x;
 }
 
+TEST(TileThreshold, KeepsThinWhiteLinesBetweenDarkShapes) {
+  const int width = 48;
+  const int height = 48;
+  // A line a pixel wide that has half of the contrast to the white on the right.
+  Grey grey(static_cast<std::size_t>(width * height), 40);
+  for (int y = 0; y < height; ++y) {
+    grey[static_cast<std::size_t>(y * width + 20)] = 120;
+    for (int x = 26; x < 29; ++x) grey[static_cast<std::size_t>(y * width + x)] = 200;
+  }
+  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {20, 9});
+  for (int y = 0; y < height; ++y) {
+    EXPECT_FALSE(dark[static_cast<std::size_t>(y * width + 20)]) << y;
+    EXPECT_TRUE(dark[static_cast<std::size_t>(y * width + 19)]) << y;
+  }
+}
+
 TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
   std::mt19937 random(1);
   for (const double sigma : {0.5, 2.0, 5.0}) {
@@ -108,8 +150,10 @@ TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
           high[tile] = std::max(high[tile], value);
         }
       }
-      const TileExtremes tiles{low.data(), high.data()};
-      floor.add({tiles, tiles, tiles}, 160);
+      TileLight tiles(160);
+      tiles.lowest = low;
+      tiles.highest = high;
+      floor.add({&tiles, &tiles, &tiles}, 160);
     }
     const int limit = floor.contrast_limit(5);
     EXPECT_GT(limit, 5.5 * sigma) << "above the usual range of nine tiles of noise";
