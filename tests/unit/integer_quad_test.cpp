@@ -58,6 +58,21 @@ TEST(IntegerQuad, SmallSquaresAtEveryAngle) {
   }
 }
 
+TEST(IntegerQuad, LimitsAreIncluded) {
+  const auto square = [](int x, int y) { return x >= 10 && x < 18 && y >= 10 && y < 18; };
+  const auto found_with = [&](const IntegerQuadLimits& limits) {
+    int found = 0;
+    test::follow_contours(30, 30, square, [&](const ClosedChain& chain) {
+      found += integer_quad(chain, limits).has_value() ? 1 : 0;
+    });
+    return found;
+  };
+  EXPECT_EQ(found_with({.min_area = 64, .max_area = 64, .min_side = 8}), 1);
+  EXPECT_EQ(found_with({.min_area = 65, .max_area = 1000, .min_side = 3}), 0);
+  EXPECT_EQ(found_with({.min_area = 25, .max_area = 63, .min_side = 3}), 0);
+  EXPECT_EQ(found_with({.min_area = 25, .max_area = 1000, .min_side = 9}), 0);
+}
+
 TEST(IntegerQuad, PerspectiveAndHole) {
   const Corners truth{{{20, 30}, {100, 12}, {90, 80}, {35, 105}}};
   const auto dark = quads_of(120, 120, [&](int x, int y) { return inside(truth, x, y); });
