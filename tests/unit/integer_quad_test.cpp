@@ -58,6 +58,23 @@ TEST(IntegerQuad, SmallSquaresAtEveryAngle) {
   }
 }
 
+TEST(SideFit, SlopeAndPlaceAreThoseOfTheLine) {
+  constexpr int length = 64;
+  for (const double slope : {0.0, 0.25, -0.4, 0.9}) {
+    const int end = static_cast<int>(std::lround(length * slope));
+    SideFit fit({0, 40, 0}, {length, 40 + end, 2 * length});
+    for (int x = 0; x < length; ++x) {
+      fit.add_horizontal(x, x + 1, 40 + static_cast<int>(std::lround((x + 0.5) * slope)));
+    }
+    const auto line = fit.line();
+    ASSERT_TRUE(line) << slope;
+    constexpr double one = 1 << IntegerLine::slope_bits;
+    EXPECT_NEAR(line->slope / one, slope, 0.008);
+    const double x = in_pixels(line->at).x + 0.5;  // of the crack
+    EXPECT_NEAR(in_pixels(line->at).y + 0.5, 40 + x * slope, 0.15) << slope;
+  }
+}
+
 TEST(IntegerQuad, LimitsAreIncluded) {
   const auto square = [](int x, int y) { return x >= 10 && x < 18 && y >= 10 && y < 18; };
   const auto found_with = [&](const IntegerQuadLimits& limits) {
