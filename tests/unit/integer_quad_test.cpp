@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -56,6 +57,27 @@ TEST(IntegerQuad, SmallSquaresAtEveryAngle) {
     ASSERT_EQ(quads.size(), 1U) << degrees;
     EXPECT_LT(worst_corner(truth, in_pixels(quads[0])), 1.5) << degrees;
   }
+}
+
+TEST(ChainExtremes, AreTheFirstVerticesFarthestInEachDirection) {
+  constexpr std::array<std::array<int, 2>, 8> directions{
+      {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 2}, {-1, 1}, {-2, 1}}};
+  const auto shape = [](int x, int y) { return x >= 5 && x < 25 && y >= 5 && y < 25 && x + y < 44; };
+  test::follow_contours(40, 40, shape, [&](const ClosedChain& chain) {
+    std::vector<NumberedVertex> vertices;
+    chain.runs([&](int from, int to, int y) {
+      vertices.push_back({from, y, static_cast<int>(vertices.size())});
+      vertices.push_back({to, y, static_cast<int>(vertices.size())});
+    });
+    const ChainExtremes extremes = chain_extremes(chain);
+    for (std::size_t i = 0; i < 16; ++i) {
+      const auto [dx, dy] = directions[i % 8];
+      const int sign = i < 8 ? 1 : -1;
+      const auto first = std::ranges::max_element(
+          vertices, {}, [&](const NumberedVertex& v) { return sign * (dx * v.x + dy * v.y); });
+      EXPECT_EQ(extremes.farthest[i].number, first->number) << "direction " << i;
+    }
+  });
 }
 
 TEST(SideFit, SlopeAndPlaceAreThoseOfTheLine) {
