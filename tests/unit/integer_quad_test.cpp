@@ -71,7 +71,8 @@ TEST(ChainExtremes, AreTheFirstVerticesFarthestInEachDirection) {
     });
     const ChainExtremes extremes = chain_extremes(chain);
     for (std::size_t i = 0; i < 16; ++i) {
-      const auto [dx, dy] = directions[i % 8];
+      const int dx = directions[i % 8][0];
+      const int dy = directions[i % 8][1];
       const int sign = i < 8 ? 1 : -1;
       const auto first = std::ranges::max_element(
           vertices, {}, [&](const NumberedVertex& v) { return sign * (dx * v.x + dy * v.y); });
