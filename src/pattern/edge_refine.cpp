@@ -64,6 +64,9 @@ class SideEdgeSearch {
  private:
   void take_rises(double across) {
     constexpr double margin = 0.06;  // of the side at each end, where blur rounds the corner
+    // Long sides: so many neighbouring lines count as one, against noise.
+    constexpr int pixels_a_line = 40;
+    constexpr int most_beside = 4;
     const double low = std::min(start_.x, end_.x);
     const double size = std::fabs(end_.x - start_.x);
     const int along_limit = steep_ ? frame_.height : frame_.width;
@@ -75,28 +78,37 @@ class SideEdgeSearch {
     rises_.rises = 2 * half + 1;
     const int across_limit = (steep_ ? frame_.width : frame_.height) - 1;
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
+    const int beside = std::clamp(count / pixels_a_line, 1, most_beside);
+    const float share = 1 / static_cast<float>(beside);
     for (int i = 0; i < rises_.lines; ++i) {
       // Evenly spread over the lines there are.
-      const int place = first + (rises_.lines == 1 ? 0 : i * (count - 1) / (rises_.lines - 1));
-      share_[i] = (place - start_.x) / (end_.x - start_.x);
-      const double middle = start_.y + slope * (place - start_.x);
+      const int place = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
+      const double centre = place + (beside - 1) / 2.0;
+      share_[i] = (centre - start_.x) / (end_.x - start_.x);
+      const double middle = start_.y + slope * (centre - start_.x);
       const int from = static_cast<int>(std::floor(middle)) - half;
       rises_.first[i] = static_cast<float>(from + 0.5 - middle);
-      const auto store = [&](auto&& grey_at) {
-        int before = grey_at(from);
-        for (int k = 0; k < rises_.rises; ++k) {
-          const int after = grey_at(from + k + 1);
-          rises_.rise[k][i] = static_cast<float>(sign_ * (after - before));
-          before = after;
+      std::array<int, EdgeRises::most_rises> sum{};
+      for (int line = place; line < place + beside; ++line) {
+        const auto add = [&](auto&& grey_at) {
+          int before = grey_at(from);
+          for (int k = 0; k < rises_.rises; ++k) {
+            const int after = grey_at(from + k + 1);
+            sum[static_cast<std::size_t>(k)] += after - before;
+            before = after;
+          }
+        };
+        if (from < 0 || from + rises_.rises > across_limit) {
+          add([&](int n) { return grey(line, std::clamp(n, 0, across_limit)); });
+        } else if (steep_ && frame_.format == PixelFormat::grey) {
+          const std::uint8_t* row = frame_.rows[line];
+          add([&](int n) { return int{row[static_cast<std::ptrdiff_t>(n) * frame_.step]}; });
+        } else {
+          add([&](int n) { return grey(line, n); });
         }
-      };
-      if (from < 0 || from + rises_.rises > across_limit) {
-        store([&](int n) { return grey(place, std::clamp(n, 0, across_limit)); });
-      } else if (steep_ && frame_.format == PixelFormat::grey) {
-        const std::uint8_t* row = frame_.rows[place];
-        store([&](int n) { return int{row[static_cast<std::ptrdiff_t>(n) * frame_.step]}; });
-      } else {
-        store([&](int n) { return grey(place, n); });
+      }
+      for (int k = 0; k < rises_.rises; ++k) {
+        rises_.rise[k][i] = static_cast<float>(sign_ * sum[static_cast<std::size_t>(k)]) * share;
       }
     }
     for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) {
