@@ -79,7 +79,7 @@ class SideEdgeSearch {
     const int across_limit = (steep_ ? frame_.width : frame_.height) - 1;
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
     const int beside = std::clamp(count / pixels_a_line, 1, most_beside);
-    const float share = 1 / static_cast<float>(beside);
+    const float share = static_cast<float>(sign_) / static_cast<float>(beside);
     for (int i = 0; i < rises_.lines; ++i) {
       // Evenly spread over the lines there are.
       const int place = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
@@ -88,27 +88,31 @@ class SideEdgeSearch {
       const double middle = start_.y + slope * (centre - start_.x);
       const int from = static_cast<int>(std::floor(middle)) - half;
       rises_.first[i] = static_cast<float>(from + 0.5 - middle);
-      std::array<int, EdgeRises::most_rises> sum{};
+      std::array<int, EdgeRises::most_rises + 1> level;  // NOLINT(*-member-init): cleared as far as used
+      std::fill_n(level.begin(), rises_.rises + 1, 0);
+      const auto add = [&](auto&& grey_at) {
+        for (int k = 0; k <= rises_.rises; ++k) level[static_cast<std::size_t>(k)] += grey_at(k);
+      };
+      const bool inside = from >= 0 && from + rises_.rises <= across_limit;
       for (int line = place; line < place + beside; ++line) {
-        const auto add = [&](auto&& grey_at) {
-          int before = grey_at(from);
-          for (int k = 0; k < rises_.rises; ++k) {
-            const int after = grey_at(from + k + 1);
-            sum[static_cast<std::size_t>(k)] += after - before;
-            before = after;
-          }
-        };
-        if (from < 0 || from + rises_.rises > across_limit) {
-          add([&](int n) { return grey(line, std::clamp(n, 0, across_limit)); });
-        } else if (steep_ && frame_.format == PixelFormat::grey) {
-          const std::uint8_t* row = frame_.rows[line];
-          add([&](int n) { return int{row[static_cast<std::ptrdiff_t>(n) * frame_.step]}; });
+        if (!inside) {
+          add([&](int k) { return grey(line, std::clamp(from + k, 0, across_limit)); });
+        } else if (steep_ && frame_.format == PixelFormat::grey && frame_.step == 1) {
+          const std::uint8_t* row = frame_.rows[line] + from;
+          add([&](int k) { return int{row[k]}; });
+        } else if (!steep_ && frame_.format == PixelFormat::grey) {
+          const std::uint8_t* const* row = frame_.rows + from;
+          const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(line) * frame_.step;
+          add([&](int k) { return int{row[k][column]}; });
         } else {
-          add([&](int n) { return grey(line, n); });
+          add([&](int k) { return grey(line, from + k); });
         }
       }
+      int before = level[0];
       for (int k = 0; k < rises_.rises; ++k) {
-        rises_.rise[k][i] = static_cast<float>(sign_ * sum[static_cast<std::size_t>(k)]) * share;
+        const int after = level[static_cast<std::size_t>(k) + 1];
+        rises_.rise[k][i] = static_cast<float>(after - before) * share;
+        before = after;
       }
     }
     for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) {
