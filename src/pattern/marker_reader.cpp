@@ -112,11 +112,12 @@ void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, cons
   const MarkerLayout& layout = group.layout;
   constexpr std::array blurs{0.45, 0.6, 0.75};   // standard deviation, of a cell
   constexpr double largest_cell = 6;             // pixels; blur of half a larger one is rare
+  constexpr double least_blur = 0.35;            // cells, as the edges show it; sharper cells read as they are
   constexpr double most_accepted = 1 / 16384.0;  // of random readings: small codes would invent markers
   constexpr float least_margin = 0.25F;          // clear enough that no other cell would do
   const int width = layout.width;
   const double side = std::sqrt(area_of(quad.corners));
-  if (layout.overhang > 0 || side > largest_cell * width) return;
+  if (layout.overhang > 0 || side > largest_cell * width || quad.blur * width < least_blur * side) return;
   CellValues cells;
   cells.width = width;
   sample_cells(frame, place, layout.square, cells.values);
