@@ -110,9 +110,9 @@ bool MarkerReader::look_up(const CellReading& reading, const Quad& quad, const G
 void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, const Homography& place,
                                   const LightModel& light, const Group& group, Best& best) const {
   const MarkerLayout& layout = group.layout;
-  constexpr std::array blurs{0.45, 0.6, 0.75};   // standard deviation, of a cell
-  constexpr double largest_cell = 6;             // pixels; blur of half a larger one is rare
-  constexpr double least_blur = 0.35;            // cells, as the edges show it; sharper cells read as they are
+  constexpr std::array blurs{0.45, 0.6, 0.75};  // standard deviation, of a cell
+  constexpr double largest_cell = 6;            // pixels; blur of half a larger one is rare
+  constexpr double least_blur = 0.35;           // cells, as the edges show it; sharper cells read as they are
   constexpr double most_accepted = 1 / 16384.0;  // of random readings: small codes would invent markers
   constexpr float least_margin = 0.25F;          // clear enough that no other cell would do
   const int width = layout.width;
