@@ -29,8 +29,8 @@ CornerCovariance corner_covariance(const Marker& marker) {
   // Cells that are not clearly black or white tell of blur.
   const double doubt = std::min(std::exp(32 * std::max(0.0, 0.5 - static_cast<double>(marker.margin))), 10.0);
   CornerErrors errors;
-  for (std::size_t i = 0; i < 4; ++i) errors.sides[i] = 0.037 + 0.68 * doubt * length_of(marker, i) / area;
-  errors.common = 1.7 * doubt / std::sqrt(area);
+  for (std::size_t i = 0; i < 4; ++i) errors.sides[i] = 0.030 + 0.60 * doubt * length_of(marker, i) / area;
+  errors.common = 1.5 * doubt / std::sqrt(area);
   return covariance_of(marker.corners, errors);
 }
 
