@@ -10,6 +10,8 @@ import pytest
 import bench_threads
 import runmark
 
+ENOUGH = 1.4  # times the work of one process: below it threads that wait for each other could not be told
+
 
 def test_other_threads_run_during_detect():
     detector = runmark.Detector("tag36h11")
@@ -61,8 +63,13 @@ def test_two_threads_do_nearly_twice_the_work_of_one():
         pytest.skip("one processor: two threads cannot be faster")
     pairs = []
     for _ in range(6):
-        pairs += bench_threads.measure(3)
-        threads, processes = zip(*pairs)
-        if max(threads) >= 1.8 or statistics.median(threads) >= 0.9 * statistics.median(processes):
+        batch = bench_threads.measure(3)
+        pairs += batch
+        if statistics.median(threads for threads, _ in batch) >= 1.8:
             return
+        threads, processes = map(statistics.median, zip(*pairs))
+        if processes >= ENOUGH and threads >= 0.9 * processes:
+            return
+    if processes < ENOUGH:
+        pytest.skip(f"the machine is busy: two processes do only {processes:.2f} times the work of one")
     pytest.fail(f"(threads, processes): {pairs}")
