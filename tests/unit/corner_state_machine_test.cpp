@@ -42,6 +42,12 @@ TEST(CornerStateMachine, UprightSquareClockwiseFromWhereItClosed) {
   EXPECT_EQ(sorted, (std::array<CrackPoint, 4>{{{20, 30}, {60, 30}, {60, 80}, {20, 80}}}));
 }
 
+TEST(CornerStateMachine, AnOffsetOfTheThresholdMakesACorner) {
+  const auto square = [](int x, int y) { return x >= 10 && x < 17 && y >= 10 && y < 17; };
+  EXPECT_TRUE(corners_of(30, square, 7));
+  EXPECT_FALSE(corners_of(30, square, 8));
+}
+
 TEST(CornerStateMachine, SuitsNearUprightSquaresOnly) {
   // A side of 50 px drifts by the threshold of 5 px at 5.7 degrees; past that corners are false.
   for (const double degrees : {0.0, 1.0, 3.0, 4.5, -4.5, 90.0, 183.0}) {
