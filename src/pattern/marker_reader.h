@@ -27,6 +27,7 @@ struct ReaderLimits {
 /// its four corners, tells black from white by a light model, and looks the code up in four rotations.
 class MarkerReader {
  public:
+  /// @param dictionaries  referred to: they must outlive the reader
   MarkerReader(const std::vector<Dictionary>& dictionaries, const ReaderLimits& limits);
 
   /// The match that chance would make least likely among all dictionaries, by the bits of their codes and

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "support/picture.h"
 
@@ -13,9 +14,10 @@ namespace {
 
 const auto corners = test::turned_square({50.3, 49.8}, 60, 12);
 
-Dictionary dictionary_of(Result<Dictionary> dictionary) {
+/// The reader refers to them.
+std::vector<Dictionary> list_of(Result<Dictionary> dictionary) {
   EXPECT_TRUE(dictionary);
-  return *std::move(dictionary);
+  return {*std::move(dictionary)};
 }
 
 Quad quad_at(const std::array<Point, 4>& at, bool light_inside = false) {
@@ -37,8 +39,9 @@ test::Picture& plain_square(test::Picture& picture) {
 
 TEST(MarkerReader, EveryMarkerMayBeOne) {
   for (const char* name : {"DICT_4X4_50", "tag16h5", "tag36h11", "DICT_ARUCO_ORIGINAL", "tagStandard41h12"}) {
-    const Dictionary dictionary = dictionary_of(builtin_dictionary(name));
-    const MarkerReader reader({dictionary}, {});
+    const std::vector<Dictionary> dictionaries = list_of(builtin_dictionary(name));
+    const Dictionary& dictionary = dictionaries[0];
+    const MarkerReader reader(dictionaries, {});
     const bool reversed = dictionary.border == Border::reversed;
     for (std::size_t id = 0; id < 30; ++id) {
       test::Picture picture(100, 100, reversed ? 30 : 220);
@@ -50,13 +53,16 @@ TEST(MarkerReader, EveryMarkerMayBeOne) {
 
 TEST(MarkerReader, APlainSquareIsNone) {
   test::Picture picture(100, 100, 200);
-  const MarkerReader reader({dictionary_of(builtin_dictionary("tag36h11"))}, {});
+  const std::vector<Dictionary> dictionaries = list_of(builtin_dictionary("tag36h11"));
+  const MarkerReader reader(dictionaries, {});
   EXPECT_FALSE(reader.may_be_marker(plain_square(picture).frame(), quad_at(corners)));
 }
 
 TEST(MarkerReader, APlainSquareIsOneWhenADictionarySaysSo) {
   test::Picture picture(100, 100, 200);
-  const MarkerReader reader({dictionary_of(parse_codes("4 0\nsymmetric 0\n0000\n00ff\n", "plain"))}, {});
+  const std::vector<Dictionary> dictionaries =
+      list_of(parse_codes("4 0\nsymmetric 0\n0000\n00ff\n", "plain"));
+  const MarkerReader reader(dictionaries, {});
   ASSERT_TRUE(reader.may_be_marker(plain_square(picture).frame(), quad_at(corners)));
   const auto marker = reader.read(picture.frame(), quad_at(corners));
   ASSERT_TRUE(marker);
@@ -65,13 +71,13 @@ TEST(MarkerReader, APlainSquareIsOneWhenADictionarySaysSo) {
 
 TEST(MarkerReader, WrongBitsOfTinyCellsAreCorrectedWhereChanceIsLow) {
   const auto is_read = [](const char* name, double side) {
-    const Dictionary dictionary = dictionary_of(builtin_dictionary(name));
-    Dictionary wrong = dictionary;
+    const std::vector<Dictionary> dictionaries = list_of(builtin_dictionary(name));
+    Dictionary wrong = dictionaries[0];
     for (std::uint64_t& code : wrong.codes) code ^= 1;
     const auto at = test::turned_square({50.3, 49.8}, side, 12);
     test::Picture picture(100, 100, 220);
     test::draw_at(picture, wrong, 7, at);
-    const auto marker = MarkerReader({dictionary}, {}).read(picture.frame(), quad_at(at));
+    const auto marker = MarkerReader(dictionaries, {}).read(picture.frame(), quad_at(at));
     return marker && marker->id == 7 && marker->hamming == 1;
   };
   EXPECT_TRUE(is_read("tag36h11", 11.5));
