@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -38,6 +39,16 @@ T get(const json& object, const char* key, const std::string& where) {
   }
 }
 
+/// Whole numbers may be written with a point, but must fit.
+int get_whole(const json& object, const char* key, const std::string& where) {
+  const auto number = get<double>(object, key, where);
+  constexpr double most = std::numeric_limits<int>::max();
+  if (number != std::floor(number) || std::fabs(number) > most) {
+    throw Wrong(where + "'" + key + "' is no whole number or too large");
+  }
+  return static_cast<int>(number);
+}
+
 template <class T>
 T get_or(const json& object, const char* key, const std::string& where, T otherwise) {
   return object.contains(key) ? get<T>(object, key, where) : otherwise;
@@ -69,7 +80,7 @@ BoardMarker placed_marker(const json& object, const std::string& dictionary, std
   if (!object.is_object()) throw Wrong(where + "is not an object");
   BoardMarker marker;
   marker.dictionary = get_or<std::string>(object, "dictionary", where, dictionary);
-  marker.id = get<int>(object, "id", where);
+  marker.id = get_whole(object, "id", where);
   if (object.contains("corners")) {
     const auto corners = get<std::vector<std::vector<double>>>(object, "corners", where);
     if (corners.size() != 4) throw Wrong(where + "has " + std::to_string(corners.size()) + " corners, not 4");
@@ -113,8 +124,8 @@ Board board_of(const json& root) {
   const Dictionary dictionary = value_or_wrong(load_dictionary(get<std::string>(root, "dictionary", "")));
   if (type == "charuco") {
     CharucoLayout layout;
-    layout.columns = get<int>(root, "columns", "");
-    layout.rows = get<int>(root, "rows", "");
+    layout.columns = get_whole(root, "columns", "");
+    layout.rows = get_whole(root, "rows", "");
     layout.square = get<double>(root, "square", "");
     layout.marker = get<double>(root, "marker", "");
     layout.first_id = get_or(root, "first_id", "", 0);
@@ -124,8 +135,8 @@ Board board_of(const json& root) {
   }
   if (type == "grid") {
     GridLayout layout;
-    layout.columns = get<int>(root, "columns", "");
-    layout.rows = get<int>(root, "rows", "");
+    layout.columns = get_whole(root, "columns", "");
+    layout.rows = get_whole(root, "rows", "");
     layout.marker = get<double>(root, "marker", "");
     layout.gap = get<double>(root, "gap", "");
     layout.first_id = get_or(root, "first_id", "", 0);

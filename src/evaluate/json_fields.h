@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -33,7 +35,10 @@ struct FieldError : std::runtime_error {
 }
 
 [[nodiscard]] inline int whole_number(const nlohmann::json& value, const char* name) {
-  if (!value.is_number_integer()) throw FieldError(std::string("\"") + name + "\" is not a whole number");
+  constexpr double most = std::numeric_limits<int>::max();
+  if (!value.is_number_integer() || std::fabs(value.get<double>()) > most) {
+    throw FieldError(std::string("\"") + name + "\" is not a whole number");
+  }
   return value.get<int>();
 }
 

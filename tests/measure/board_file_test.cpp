@@ -42,6 +42,12 @@ TEST(BoardFile, TellsWhatIsWrong) {
   EXPECT_NE(json("{}").find("has no 'type'"), std::string::npos);
   EXPECT_NE(json(R"({"type": "x", "dictionary": "DICT_4X4_50"})").find("'x'"), std::string::npos);
   EXPECT_NE(json(R"({"type": "grid", "dictionary": "nothing"})").find("nothing"), std::string::npos);
+  for (const char* rows : {"1e200", "-1e200", "4294967297", "2.5"}) {
+    const std::string text =
+        std::string(R"({"type": "grid", "dictionary": "tag36h11", "columns": 3, "rows": )") + rows +
+        R"(, "marker": 1, "gap": 1})";
+    EXPECT_NE(json(text.c_str()).find("'rows' is no whole number or too large"), std::string::npos) << rows;
+  }
   EXPECT_NE(json(R"({"markers": []})").find("not a list of markers"), std::string::npos);
   EXPECT_NE(json(R"({"markers": [{"id": "a"}]})").find("marker 0 of the list: 'id' is of the wrong kind"),
             std::string::npos);
