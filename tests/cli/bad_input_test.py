@@ -7,9 +7,11 @@ import random
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import threading
 import unittest
+import zlib
 
 import scene
 from command import FFMPEG, PROGRAM, CommandTest, needs_ffmpeg
@@ -97,6 +99,18 @@ class RareKinds(PictureTest):
             data = pathlib.Path(self.convert(name)).read_bytes()
             with self.subTest(name):
                 self.expect_refused(self.write("damaged-" + name, bytes(min(len(data) // 2, 40)) + data[40:]))
+
+    def test_a_header_that_promises_more_than_comes(self):
+        """Memory is for what has come: a few kilobytes that state gigabytes are refused before they are decoded."""
+        jpeg = bytearray(pathlib.Path(self.convert("a.jpg")).read_bytes())
+        size = jpeg.index(b"\xff\xc0") + 5
+        jpeg[size:size + 4] = struct.pack(">HH", 28001, 26386)
+        png = bytearray(pathlib.Path(self.convert("a.png")).read_bytes())
+        png[16:24] = struct.pack(">II", 30000, 30000)
+        png[29:33] = struct.pack(">I", zlib.crc32(png[12:29]))
+        for name, data in (("huge.jpg", jpeg), ("huge.mjpeg", jpeg), ("huge.png", png)):
+            with self.subTest(name):
+                self.expect_refused(self.write(name, data), "more pixels than its data can hold")
 
     def test_one_among_many_is_told_at_the_end(self):
         folder = self.folder / "many"

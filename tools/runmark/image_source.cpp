@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -27,6 +28,37 @@ std::vector<std::uint8_t> read_file(const std::string& path) {
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file) throw InputError(path + ": " + std::strerror(errno != 0 ? errno : EIO));
   return bytes;
+}
+
+bool begins_with(std::span<const std::uint8_t> bytes, std::initializer_list<std::uint8_t> magic) {
+  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+void check_size(std::uint64_t pixels, std::uint64_t most_pixels, const std::string& where) {
+  if (pixels > most_pixels)
+    throw InputError(where + ": damaged: its header states more pixels than its data can hold");
+}
+
+/// libjpeg would fill what is missing with grey and call it a picture, however large a header says it is.
+void check_jpeg(std::span<const std::uint8_t> bytes, const std::string& where) {
+  // A block of 64 pixels takes a bit or more; eight times that leaves room for arithmetic coding.
+  constexpr std::uint64_t most_pixels_a_byte = 4096;
+  JpegEnd end;
+  if (end.find(bytes) == 0) throw InputError(where + ": the picture breaks off (no end of JPEG data)");
+  check_size(end.pixels(), most_pixels_a_byte * bytes.size(), where);
+}
+
+/// The header chunk's width and height. Source: PNG specification, 11.2.2.
+void check_png(std::span<const std::uint8_t> bytes, const std::string& where) {
+  constexpr std::uint64_t most_pixels_a_byte = 8 * 1032;  // one bit each, deflate at its best
+  constexpr std::size_t size_at = 16;
+  if (bytes.size() < size_at + 8) return;
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (const std::uint8_t byte : bytes.subspan(at, 4)) value = value << 8U | byte;
+    return value;
+  };
+  check_size(number(size_at) * number(size_at + 4), most_pixels_a_byte * bytes.size(), where);
 }
 
 cv::Mat to_eight_bits(const cv::Mat& image, const std::string& where) {
@@ -77,10 +109,9 @@ cv::Mat to_grey_or_bgr(const cv::Mat& image, const std::string& where) {
 
 cv::Mat decode_image(std::span<const std::uint8_t> bytes, const std::string& where) {
   if (bytes.empty()) throw InputError(where + ": the file is empty");
-  const bool jpeg = bytes.size() > 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
-  // libjpeg would fill the missing part with grey and call it a picture.
-  if (jpeg && JpegEnd().find(bytes) == 0)
-    throw InputError(where + ": the picture breaks off (no end of JPEG data)");
+  // Memory is for what has come, not for what a header promises.
+  if (begins_with(bytes, {0xFF, 0xD8})) check_jpeg(bytes, where);
+  if (begins_with(bytes, {0x89, 'P', 'N', 'G'})) check_png(bytes, where);
   const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
   try {
     const QuietStderr quiet;

@@ -1,5 +1,7 @@
 #include "jpeg_end.h"
 
+#include <algorithm>
+
 namespace runmark::cli {
 namespace {
 
@@ -13,6 +15,18 @@ constexpr std::uint8_t fill = 0xFF;
 /// Markers without a segment; 0 stands for a data byte 0xFF.
 bool stands_alone(std::uint8_t marker) {
   return marker == 0 || marker == tem || (marker >= rst0 && marker <= rst7);
+}
+
+/// SOF0 to SOF15: the segments that state a picture's size.
+bool states_size(std::uint8_t marker) {
+  constexpr std::uint8_t dht = 0xC4;
+  constexpr std::uint8_t jpg = 0xC8;
+  constexpr std::uint8_t dac = 0xCC;
+  return (marker & 0xF0U) == 0xC0 && marker != dht && marker != jpg && marker != dac;
+}
+
+std::uint64_t sixteen_bits(std::span<const std::uint8_t> data, std::size_t at) {
+  return std::uint64_t{data[at]} << 8U | data[at + 1];
 }
 
 }  // namespace
@@ -33,8 +47,11 @@ std::size_t JpegEnd::find(std::span<const std::uint8_t> data) {
     } else if (stands_alone(marker)) {
       at_ += 2;
     } else {
-      if (at_ + 3 >= data.size()) return 0;
-      at_ += 2 + (static_cast<std::size_t>(data[at_ + 2]) << 8U | data[at_ + 3]);
+      constexpr std::size_t header = 9;  // marker, length, precision, height, width
+      if (at_ + (states_size(marker) ? header : 4) > data.size()) return 0;
+      if (states_size(marker))
+        pixels_ = std::max(pixels_, sixteen_bits(data, at_ + 5) * sixteen_bits(data, at_ + 7));
+      at_ += 2 + sixteen_bits(data, at_ + 2);
     }
   }
   return 0;
