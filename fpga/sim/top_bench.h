@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,12 @@ struct Manners {
 struct ResultWord {
   std::uint32_t data = 0;
   bool last = false;
+  std::uint64_t cycle = 0;
+};
+
+/// A record of the result stream and the clock its last word was taken in.
+struct StreamedRecord {
+  runmark_record record{};
   std::uint64_t cycle = 0;
 };
 
@@ -72,7 +79,17 @@ class TopBench {
   /// The clock in which each beat was taken.
   [[nodiscard]] std::vector<std::uint64_t>& taken_at() { return taken_at_; }
   [[nodiscard]] std::uint64_t cycles() const { return core_.cycles(); }
-  [[nodiscard]] std::deque<ResultWord>& stream() { return stream_; }
+  /// Takes a record off the result stream once its last word has come.
+  std::optional<StreamedRecord> take_record() {
+    if (stream_.empty() || !stream_.back().last) return {};
+    std::vector<std::uint32_t> words;
+    for (const ResultWord& word : stream_) words.push_back(word.data);
+    StreamedRecord taken{{}, stream_.back().cycle};
+    stream_.clear();
+    if (runmark_read_record(words.data(), &taken.record) != words.size())
+      faults_.emplace_back("results: TLAST and the record's head differ");
+    return taken;
+  }
   [[nodiscard]] bool irq() {
     core_.settle();
     return core_->irq != 0;

@@ -53,7 +53,8 @@ class TranslatedHardware final : public Hardware {
     for (const std::uint64_t until = bench_.cycles() + patience;;) {
       if (bench_.cycles() > until) throw std::runtime_error("the hardware stands still");
       bench_.tick();
-      if (!bench_.stream().empty() && bench_.stream().back().last && take_record(pixels.cols, frame)) break;
+      const auto taken = bench_.take_record();
+      if (taken && add_record(*taken, pixels.cols, frame)) break;
     }
     const Counters after = counters();
     frame.dropped_full = after.full - before.full;
@@ -100,16 +101,11 @@ class TranslatedHardware final : public Hardware {
     runmark_run(&bench_.device(), 1);
   }
 
-  /// The record that has come; true at the end of the frame.
-  bool take_record(int width, HardwareFrame& frame) {
-    std::vector<std::uint32_t> words;
-    for (const ResultWord& word : bench_.stream()) words.push_back(word.data);
-    const std::uint64_t now = bench_.stream().back().cycle;
-    bench_.stream().clear();
-    runmark_record record{};
-    runmark_read_record(words.data(), &record);
+  /// True at the end of the frame.
+  bool add_record(const StreamedRecord& taken, int width, HardwareFrame& frame) {
+    const runmark_record& record = taken.record;
     if (record.end_of_frame != 0) {
-      frame.clocks = now - bench_.taken_at().front() + 1;
+      frame.clocks = taken.cycle - bench_.taken_at().front() + 1;
       const std::uint32_t capacity = bench_.read_register(RUNMARK_CAPACITY);
       frame.records = capacity >> RUNMARK_CAPACITY_RECORDS_SHIFT & RUNMARK_CAPACITY_RECORDS_MASK;
       frame.ends = bench_.read_register(RUNMARK_LARGEST) & RUNMARK_LARGEST_WIDTH_MASK;
@@ -125,7 +121,7 @@ class TranslatedHardware final : public Hardware {
     const auto lowest = std::max_element(record.y, record.y + 4) - record.y;
     const std::size_t x = static_cast<std::size_t>(std::max(record.x[lowest] - 1, 0));
     const std::size_t last = (record.bottom - 1U) * static_cast<std::size_t>(width) + x;
-    frame.latencies.push_back(now - bench_.taken_at()[last]);
+    frame.latencies.push_back(taken.cycle - bench_.taken_at()[last]);
     return false;
   }
 

@@ -23,12 +23,8 @@ constexpr std::uint64_t most_cycles = 2000000;
 
 const Dictionary& dictionary(bool lax) {
   static const std::array<Dictionary, 2> both = [] {
-    Dictionary strict = *builtin_dictionary("DICT_6X6_50");
-    Dictionary any = strict;  // takes nearly every quad for a marker
-    any.codes = {0};
-    any.distance = 64;
-    any.corrected_bits = 30;
-    return std::array{strict, any};
+    const Dictionary strict = *builtin_dictionary("DICT_6X6_50");
+    return std::array{strict, rtl::made_lax(strict)};
   }();
   return both[lax ? 1 : 0];
 }
@@ -66,15 +62,7 @@ rtl::Scene scene(int width, int height, const std::vector<std::uint8_t>& bytes) 
 
 /// Something that a broken or unplugged camera does to the beats from some place on.
 struct Damage {
-  enum Kind : std::uint8_t {
-    lose,
-    repeat,
-    toggle_last,
-    toggle_user,
-    toggle_lasts,
-    cut_off,
-    kMaxValue = cut_off
-  };
+  enum Kind : std::uint8_t { lose, repeat, toggle_user, toggle_lasts, cut_off, kMaxValue = cut_off };
   Kind kind = lose;
   std::size_t at = 0;
   std::size_t count = 0;
@@ -90,9 +78,6 @@ struct Damage {
         break;
       case repeat:
         beats.insert(begin, count, *begin);
-        break;
-      case toggle_last:
-        begin->last = !begin->last;
         break;
       case toggle_user:
         begin->user = !begin->user;
@@ -160,15 +145,10 @@ class Run {
   rtl::FrameOutcome next_frame() {
     for (const std::uint64_t until = bench_.cycles() + most_cycles; bench_.cycles() < until;) {
       bench_.tick();
-      auto& stream = bench_.stream();
-      if (stream.empty() || !stream.back().last) continue;
-      std::vector<std::uint32_t> words;
-      for (const rtl::ResultWord& word : stream) words.push_back(word.data);
-      stream.clear();
-      runmark_record record{};
-      expect(runmark_read_record(words.data(), &record) == words.size(), "TLAST is where a record ends");
+      const auto taken = bench_.take_record();
+      if (!taken) continue;
       const bool filtered = or_own(options_.filter, filter_all) != filter_none;
-      if (auto outcome = collector_.add(record, options_.max_height, filtered)) return *outcome;
+      if (auto outcome = collector_.add(taken->record, options_.max_height, filtered)) return *outcome;
     }
     expect(false, "a frame ends");
     return {};
