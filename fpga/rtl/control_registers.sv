@@ -3,7 +3,8 @@
 module control_registers #(
     parameter IW = 10,
     parameter [31:0] LARGEST = '0,
-    parameter [31:0] CAPACITY = '0
+    parameter [31:0] CAPACITY = '0,
+    parameter HARDWARE = 0  // the profile: 0 paper
 ) (
     input  logic          clk,
     input  logic          reset,
@@ -34,9 +35,11 @@ module control_registers #(
     output logic [  31:0] min_area,
     output logic [  31:0] max_area,
     output logic [  31:0] match,
+    output logic [   7:0] min_contrast,
+    output logic [  31:0] square,
     output logic          code_write,
     output logic [IW-1:0] code_at,
-    output logic [  35:0] code,
+    output logic [  63:0] code,
     output logic [  31:0] frame_address,
 
     output logic          pixel_valid,   // video written by the registers
@@ -60,7 +63,7 @@ module control_registers #(
 );
 `include "registers.svh"
   logic [15:0] code_index;
-  logic [3:0] code_high;
+  logic [31:0] code_high;
   logic done;
   logic [31:0] full_count, rule_count, queue_count, lost_count, cut_count, line_count, error_count;
 
@@ -102,12 +105,14 @@ module control_registers #(
         REG_MAX_AREA: max_area <= s_axil_wdata;
         REG_MATCH: match <= s_axil_wdata;
         REG_CODE_INDEX: code_index <= s_axil_wdata[15:0];
-        REG_CODE_HIGH: code_high <= s_axil_wdata[3:0];
+        REG_CODE_HIGH: code_high <= s_axil_wdata;
         REG_CODE_LOW: begin
           code <= {code_high, s_axil_wdata};
           code_write <= 1'b1;
         end
         REG_FRAME_ADDRESS: frame_address <= s_axil_wdata;
+        REG_MIN_CONTRAST: min_contrast <= s_axil_wdata[7:0];
+        REG_SQUARE: square <= s_axil_wdata;
         REG_PIXEL: if (!pixel_valid) begin
           pixel <= s_axil_wdata[25:0];
           pixel_valid <= 1'b1;
@@ -128,7 +133,7 @@ module control_registers #(
         REG_MAX_AREA: s_axil_rdata <= max_area;
         REG_MATCH: s_axil_rdata <= match;
         REG_CODE_INDEX: s_axil_rdata <= {16'b0, code_index};
-        REG_CODE_HIGH: s_axil_rdata <= {28'b0, code_high};
+        REG_CODE_HIGH: s_axil_rdata <= code_high;
         REG_FRAME_ADDRESS: s_axil_rdata <= frame_address;
         REG_STATUS: s_axil_rdata <= status;
         REG_RESULT: s_axil_rdata <= result_valid ? result : '0;
@@ -142,6 +147,9 @@ module control_registers #(
         REG_CUT_FRAMES: s_axil_rdata <= cut_count;
         REG_BAD_LINES: s_axil_rdata <= line_count;
         REG_BUS_ERRORS: s_axil_rdata <= error_count;
+        REG_PROFILE: s_axil_rdata <= HARDWARE;
+        REG_MIN_CONTRAST: s_axil_rdata <= {24'b0, min_contrast};
+        REG_SQUARE: s_axil_rdata <= square;
         default: s_axil_rdata <= '0;
       endcase
     end

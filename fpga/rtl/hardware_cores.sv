@@ -72,6 +72,7 @@ module hardware_cores #(
     output logic [    19:0] marker_scale,
     output logic            marker_end,
 
+    output logic            scan_begins,  // pulse: a frame's first pixel has reached the preprocess core
     output logic            lost,
     output logic            count_quad,
     output logic            count_run,
@@ -102,6 +103,7 @@ module hardware_cores #(
       .clk(clk), .reset(reset), .last_x(last_x), .last_y(last_y), .min_contrast(min_contrast),
       .in_valid(pixel_valid && grey_ready), .in_ready(tiles_ready), .in_grey(grey_level), .in_sof(sof),
       .out_valid(bit_valid), .out_ready(bit_ready), .out_dark(dark), .out_sof(bit_sof));
+  assign scan_begins = bit_valid && bit_ready && bit_sof;
 
   logic chain_valid, chain_ready, chain_hole, chain_end, walk_read, walk_granted, release_valid, release_ready;
   logic [RW-1:0] chain_head, chain_tail, walk_record, walk_next, release_head, release_tail;

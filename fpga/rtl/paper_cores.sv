@@ -65,6 +65,7 @@ module paper_cores #(
     output logic [     5:0] marker_errors,
     output logic            marker_end,
 
+    output logic            scan_begins,  // pulse: a frame's first pixel has reached the preprocess core
     output logic            lost,
     output logic            count_quad,
     output logic            count_run,
@@ -86,6 +87,7 @@ module paper_cores #(
   assign pixel_ready = scan_ready && grey_ready;
   assign grey_valid = pixel_valid && scan_ready;
   assign grey_sof = sof;
+  assign scan_begins = pixel_valid && pixel_ready && sof;
 
   logic chain_valid, chain_ready, chain_hole, chain_end, walk_read, walk_granted, release_valid, release_ready;
   logic [RW-1:0] chain_head, chain_tail, walk_record, walk_next, release_head, release_tail;

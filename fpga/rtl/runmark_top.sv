@@ -1,11 +1,12 @@
-// The paper's system as one core: video in, markers out, the grey frame in the memory outside (docs/hardware.md;
-// registers and results: docs/registers.md).
+// The system as one core, of either profile: video in, markers out, the grey frame in the memory outside
+// (docs/hardware-top.md; registers and results: docs/registers.md).
 module runmark_top #(
+    parameter HARDWARE = 0,     // the profile: 0 paper, 1 hardware
     parameter MAX_WIDTH = 640,  // 65 to 4096
     parameter MAX_HEIGHT = 480,
-    parameter RECORDS = 1023,
+    parameter RECORDS = HARDWARE != 0 ? 2047 : 1023,
     parameter EVENTS = 512,
-    parameter QUEUE = 16,
+    parameter QUEUE = HARDWARE != 0 ? 64 : 16,  // closed chains that may wait
     parameter CODES = 1024,
     parameter RESULTS = 512     // words that may wait to be read
 ) (
@@ -73,15 +74,17 @@ module runmark_top #(
   localparam IW = $clog2(CODES);
   localparam RW = $clog2(RECORDS + 1);
   localparam EW = $clog2(MAX_WIDTH + 1);
+  localparam CXW = HARDWARE != 0 ? XW + 6 : XW;  // of a corner's place
+  localparam CYW = HARDWARE != 0 ? XW + 6 : YW;
 
   // Registers.
-  logic [31:0] control, size, chain_limits, min_area, max_area, match, frame_address, frames, result;
+  logic [31:0] control, size, chain_limits, min_area, max_area, match, square, frame_address, frames, result;
   logic [8:0] level;
   logic [5:0] cases;
-  logic [7:0] corner_offset;
+  logic [7:0] corner_offset, min_contrast;
   logic code_write, result_valid, result_ready, frame_done;
   logic [IW-1:0] code_at;
-  logic [35:0] code;
+  logic [63:0] code;
   logic fed_valid, fed_ready, lost, cut_frame, bad_line;
   logic [25:0] fed;
   logic dropped_full, dropped_rule, dropped_queue, count_abandoned;
@@ -92,7 +95,7 @@ module runmark_top #(
   logic waiting_valid, waiting_last;
   assign result_valid = waiting_valid && read_results;
   control_registers #(
-      .IW(IW), .LARGEST({16'(MAX_HEIGHT), 16'(MAX_WIDTH)}), .CAPACITY({16'(CODES), 16'(RECORDS)})
+      .HARDWARE(HARDWARE), .IW(IW), .LARGEST({16'(MAX_HEIGHT), 16'(MAX_WIDTH)}), .CAPACITY({16'(CODES), 16'(RECORDS)})
   ) registers (
       .pixel_valid(fed_valid), .pixel_ready(fed_ready), .pixel(fed), .frame_open(under_way != '0),
       .abandoned(count_abandoned ? {{(16 - EW) {1'b0}}, abandoned} : 16'b0), .*);
@@ -124,25 +127,45 @@ module runmark_top #(
   logic [XW-1:0] read_x;
   logic [YW-1:0] read_y, marker_bottom;
   logic marker_valid, marker_ready, marker_hole, marker_end;
-  logic [4*XW-1:0] marker_x;
-  logic [4*YW-1:0] marker_y;
+  logic [4*CXW-1:0] marker_x;
+  logic [4*CYW-1:0] marker_y;
   logic [IW-1:0] marker_id;
   logic [1:0] marker_rotation;
   logic [5:0] marker_errors;
-  logic count_frame, count_quad, count_run, count_closed, count_handed_on;
+  logic [19:0] marker_clearance, marker_scale;
+  logic scan_begins, count_frame, count_quad, count_run, count_closed, count_handed_on;
   logic [EW-1:0] end_peak;
   logic [RW-1:0] record_peak;
-  paper_cores #(
-      .MAX_WIDTH(MAX_WIDTH), .MAX_HEIGHT(MAX_HEIGHT), .RECORDS(RECORDS), .EVENTS(EVENTS), .QUEUE(QUEUE),
-      .CODES(CODES), .TW(TW)
-  ) cores (
-      .rgb(control[CONTROL_RGB]), .eight(control[CONTROL_EIGHT]), .give_up(control[CONTROL_GIVE_UP]),
-      .holes(control[CONTROL_HOLES]), .patient(control[CONTROL_PATIENT]),
-      .max_turns(chain_limits[CHAIN_LIMITS_MAX_TURNS+:TW]), .min_height(chain_limits[CHAIN_LIMITS_MIN_HEIGHT+:YW]),
-      .min_area(min_area[XW+YW+1:0]), .max_area(max_area[XW+YW+1:0]),
-      .max_errors(match[MATCH_MAX_ERRORS+:6]), .codes(match[MATCH_CODES+:IW+1]),
-      .in_valid(pixel_valid), .in_ready(pixel_ready), .in_data(pixel), .in_sof(pixel_sof),
-      .count_dropped_full(dropped_full), .count_dropped_rule(dropped_rule), .count_dropped_queue(dropped_queue), .*);
+  generate
+    if (HARDWARE != 0) begin : g_hardware
+      hardware_cores #(
+          .MAX_WIDTH(MAX_WIDTH), .MAX_HEIGHT(MAX_HEIGHT), .RECORDS(RECORDS), .EVENTS(EVENTS), .CHAINS(QUEUE),
+          .QUADS(2 * QUEUE), .CODES(CODES), .TW(TW)
+      ) cores (
+          .rgb(control[CONTROL_RGB]), .eight(control[CONTROL_EIGHT]), .give_up(control[CONTROL_GIVE_UP]),
+          .holes(control[CONTROL_HOLES]), .patient(control[CONTROL_PATIENT]),
+          .max_turns(chain_limits[CHAIN_LIMITS_MAX_TURNS+:TW]), .min_height(chain_limits[CHAIN_LIMITS_MIN_HEIGHT+:YW]),
+          .min_area(min_area[XW+YW:0]), .max_area(max_area[XW+YW:0]), .min_side(square[SQUARE_MIN_SIDE+:XW]),
+          .width(square[SQUARE_WIDTH+:4]), .min_margin(square[SQUARE_MIN_MARGIN+:8]),
+          .max_errors(match[MATCH_MAX_ERRORS+:6]), .codes(match[MATCH_CODES+:IW+1]),
+          .in_valid(pixel_valid), .in_ready(pixel_ready), .in_data(pixel), .in_sof(pixel_sof),
+          .count_dropped_full(dropped_full), .count_dropped_rule(dropped_rule), .count_dropped_queue(dropped_queue), .*);
+    end else begin : g_paper
+      paper_cores #(
+          .MAX_WIDTH(MAX_WIDTH), .MAX_HEIGHT(MAX_HEIGHT), .RECORDS(RECORDS), .EVENTS(EVENTS), .QUEUE(QUEUE),
+          .CODES(CODES), .TW(TW)
+      ) cores (
+          .rgb(control[CONTROL_RGB]), .eight(control[CONTROL_EIGHT]), .give_up(control[CONTROL_GIVE_UP]),
+          .holes(control[CONTROL_HOLES]), .patient(control[CONTROL_PATIENT]),
+          .max_turns(chain_limits[CHAIN_LIMITS_MAX_TURNS+:TW]), .min_height(chain_limits[CHAIN_LIMITS_MIN_HEIGHT+:YW]),
+          .min_area(min_area[XW+YW+1:0]), .max_area(max_area[XW+YW+1:0]), .code(code[35:0]),
+          .max_errors(match[MATCH_MAX_ERRORS+:6]), .codes(match[MATCH_CODES+:IW+1]),
+          .in_valid(pixel_valid), .in_ready(pixel_ready), .in_data(pixel), .in_sof(pixel_sof),
+          .count_dropped_full(dropped_full), .count_dropped_rule(dropped_rule), .count_dropped_queue(dropped_queue), .*);
+      assign marker_clearance = '0;
+      assign marker_scale = '0;
+    end
+  endgenerate
 
   // The grey frame: one place in memory for each of two frames under way.
   logic read_place, begins;
@@ -164,9 +187,9 @@ module runmark_top #(
   logic [EW+RW-1:0] frame_peaks;
   logic [31:0] word_data;
   frame_notes #(.PW(EW + RW)) notes (
-      .video_begins(pixel_valid && pixel_ready && pixel_sof), .scan_begins(begins), .scan_ends(count_frame),
+      .video_begins(pixel_valid && pixel_ready && pixel_sof), .scan_ends(count_frame),
       .dropped(dropped_full || dropped_queue), .peaks({end_peak, record_peak}), .frame(frames[1:0]), .*);
-  result_words #(.XW(XW), .YW(YW), .IW(IW), .RW(RW), .EW(EW)) words (.frame(frames[15:0]), .*);
+  result_words #(.FINE(HARDWARE), .XW(CXW), .YW(CYW), .BW(YW), .IW(IW), .RW(RW), .EW(EW)) words (.frame(frames[15:0]), .*);
   assign frame_done = marker_valid && marker_ready && marker_end;
   stream_fifo #(.WIDTH(33), .DEPTH(RESULTS)) results (
       .clear(reset), .in_valid(word_valid), .in_ready(word_ready), .in_data({word_last, word_data}),
@@ -177,5 +200,5 @@ module runmark_top #(
   assign m_result_tlast = waiting_last;
 
   wire unused = &{1'b0, count_quad, count_run, count_closed, count_handed_on, frames, control, size, chain_limits, min_area,
-                  max_area, match};
+                  max_area, match, square, min_contrast, level, corner_offset, code};
 endmodule

@@ -6,6 +6,9 @@
 // Everything moves one step for each pixel. The store of eight rows is a ring: what is written replaces what is read.
 // Rows go on being counted while the rest is sent, so that a band of tiles cut short by the frame's end is finished
 // like any other.
+//
+// The first pixel of a frame lies on its border, light whatever it was, and goes out at once: what is behind begins the
+// frame when it begins here, and ends the one before if that was cut off.
 module tile_threshold #(
     parameter MAX_WIDTH = 640,
     parameter MAX_HEIGHT = 480,
@@ -110,10 +113,11 @@ module tile_threshold #(
   logic [7:0] limit;
 
   // The pixels on their way out.
-  logic valid_1, valid_2, valid_3, sof_1, sof_2, sof_3;
+  logic valid_1, valid_2, valid_3;
   logic [7:0] grey_1, grey_2, grey_3, level_3, contrast_3;
   logic [15:0] level_2;
-  wire sends = here_y[YW:3] != '0 && here_y <= below;
+  wire first = here_y == (YW + 1)'(8) && here_x == '0;
+  wire sends = here_y[YW:3] != '0 && here_y <= below && !first;
 
   always_ff @(posedge clk) begin
     if (takes) begin
@@ -165,25 +169,22 @@ module tile_threshold #(
 
       valid_1 <= sends && !fresh;
       grey_1 <= old;
-      sof_1 <= here_y == (YW + 1)'(8) && here_x == '0;
       valid_2 <= valid_1 && !fresh;
       grey_2 <= grey_1;
-      sof_2 <= sof_1;
       level_2 <= level_1;
       valid_3 <= valid_2 && !fresh;
       grey_3 <= grey_2;
-      sof_3 <= sof_2;
       level_3 <= level_2[7:0] + {1'b0, level_2[15:9]};
       contrast_3 <= level_2[15:8];
-      out_dark <= grey_3 < level_3 && contrast_3 >= limit;
-      out_sof <= sof_3;
+      out_dark <= grey_3 < level_3 && contrast_3 >= limit && !fresh;
+      out_sof <= fresh;
     end
-    if (go) out_valid <= step && valid_3 && !fresh;
+    if (go) out_valid <= step && (fresh || valid_3);
 
     if (reset) begin
       filling <= 1'b0;
       flushing <= 1'b0;
-      out_valid <= 1'b0;
+        out_valid <= 1'b0;
       valid_1 <= 1'b0;
       valid_2 <= 1'b0;
       valid_3 <= 1'b0;

@@ -39,7 +39,7 @@ TEST_F(RtlDriver, FeedsAFrameAndReadsItsMarkers) {
   ASSERT_EQ(runmark_configure(&device, &s), RUNMARK_OK);
   load();
   runmark_run(&device, 1);
-  PaperReference reference(options(120, 118), dictionary(), 1023);
+  Reference reference(options(120, 118), dictionary(), 1023);
   std::size_t markers = 0;
   for (unsigned number = 0; number < 2; ++number) {
     const Scene scene = make_scene(dictionary(), 120, 118, random);
@@ -92,7 +92,7 @@ TEST_F(RtlDriver, StopsAndRunsBetweenFrames) {
   ASSERT_EQ(runmark_configure(&device, &s), RUNMARK_OK);
   load();
   const Scene scene = make_scene(dictionary(), 120, 118, random);
-  PaperReference reference(options(120, 118), dictionary(), 1023);
+  Reference reference(options(120, 118), dictionary(), 1023);
   const FrameOutcome plain = reference.run(scene);
   const auto finish = [&] {
     for (int clock = 0; clock < 200000 && !bench.video().empty(); ++clock) bench.tick();

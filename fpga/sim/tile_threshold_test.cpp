@@ -31,6 +31,7 @@ std::vector<bool> plain_dark(const Frame& frame, int min_contrast) {
   }
   tiles.finish();
   take();
+  dark.front() = false;  // on the border, and sent at once
   return dark;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <random>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "marker_scene.h"
 #include "pipeline/found_markers.h"
+#include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "top_bench.h"
 #include "top_settings.h"
@@ -29,22 +31,28 @@ struct FrameOutcome {
 
 inline constexpr std::size_t most_markers = 100000;
 
-/// The paper pipeline in C++ with the hardware's number of records.
-class PaperReference {
+/// The pipeline of these options in C++ with the hardware's number of records.
+class Reference {
  public:
-  PaperReference(const Options& options, const Dictionary& dictionary, std::size_t records)
-      : dictionaries_{dictionary}, pipeline_(options, dictionaries_, records), found_(most_markers) {}
+  Reference(const Options& options, const Dictionary& dictionary, std::size_t records)
+      : dictionaries_{dictionary}, found_(most_markers) {
+    if (options.pipeline == Pipeline::hardware) {
+      pipeline_ = std::make_unique<HardwarePipeline>(options, dictionaries_, records);
+    } else {
+      pipeline_ = std::make_unique<PaperPipeline>(options, dictionaries_, records);
+    }
+  }
 
   FrameOutcome run(const Scene& scene) {
     found_.begin_frame({0, 0});
-    pipeline_.begin_frame(scene.width, scene.height);
+    pipeline_->begin_frame(scene.width, scene.height);
     stats_ = {};
     std::vector<const std::uint8_t*> rows;
     for (int y = 0; y < scene.height; ++y) {
       rows.push_back(scene.grey.data() + static_cast<std::ptrdiff_t>(y) * scene.width);
-      pipeline_.push_row({rows.data(), scene.width, y + 1, 1, PixelFormat::grey}, found_, stats_);
+      pipeline_->push_row({rows.data(), scene.width, y + 1, 1, PixelFormat::grey}, found_, stats_);
     }
-    pipeline_.end_frame(stats_);
+    pipeline_->end_frame(stats_);
     FrameOutcome outcome{{found_.all().begin(), found_.all().end()}, {}};
     outcome.end.record_peak = static_cast<std::uint16_t>(stats_.records_peak);
     outcome.end.dropped = stats_.dropped_chains != 0 ? 1 : 0;
@@ -54,7 +62,7 @@ class PaperReference {
 
  private:
   std::vector<Dictionary> dictionaries_;
-  PaperPipeline pipeline_;
+  std::unique_ptr<FramePipeline> pipeline_;
   FoundMarkers found_;
   FrameStats stats_;
 };
@@ -71,8 +79,12 @@ class FrameCollector {
       return outcome;
     }
     Marker marker = marker_of(record);
-    // The row that had come in when the chain closed.
-    marker.row = std::min(record.bottom + (filtered ? 1 : 0), height - 1);
+    // The row that had come in when the chain closed: C++ thresholds the hardware profile's a band of tiles
+    // at a time, when the band below is in.
+    marker.row = record.bottom + (filtered ? 1 : 0);
+    if (record.fine != 0)
+      marker.row = marker.row / IntegerTiles::side * IntegerTiles::side + 2 * IntegerTiles::side - 1;
+    marker.row = std::min(marker.row, height - 1);
     if (!found_.has(marker.corners)) (void)found_.add(marker);
     return {};
   }
@@ -104,6 +116,7 @@ inline std::string difference(const FrameOutcome& hardware, const FrameOutcome& 
     const std::string name = "marker " + std::to_string(i) + ' ';
     if (a.id != b.id) return differ(name + "id", a.id, b.id);
     if (a.hamming != b.hamming) return differ(name + "hamming", a.hamming, b.hamming);
+    if (a.margin != b.margin) return differ(name + "margin", a.margin, b.margin);
     if (a.inverted != b.inverted) return differ(name + "inverted", a.inverted, b.inverted);
     if (a.row != b.row) return differ(name + "row", a.row, b.row);
     for (std::size_t k = 0; k < 4; ++k) {

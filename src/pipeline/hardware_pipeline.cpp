@@ -8,23 +8,23 @@
 
 namespace runmark {
 
-HardwarePipeline::HardwarePipeline(const Options& options, const std::vector<Dictionary>& dictionaries)
+HardwarePipeline::HardwarePipeline(const Options& options, const std::vector<Dictionary>& dictionaries,
+                                   std::size_t records)
     : options_(options),
       limits_(quad_limits(options)),
       tiles_(options.max_width),
       grey_(options.max_width, 2 * IntegerTiles::side),
-      scan_(options.max_width, contour_rules(options)),
-      reader_(dictionaries,
-              {options.corrected_bits, static_cast<int>(std::lround(options.min_margin * 256))}) {}
+      scan_(options.max_width, contour_rules(options, records)),
+      reader_(dictionaries, reader_limits(options)) {}
 
-ContourRules HardwarePipeline::contour_rules(const Options& options) {
+ContourRules HardwarePipeline::contour_rules(const Options& options, std::size_t records) {
   ContourRules rules;
   rules.filter_cases = or_own(options.filter, filter_none);
   rules.connectivity = or_own(options.connectivity, Connectivity::four);
   rules.chains.holes = options.inverted;
   rules.chains.min_height = static_cast<std::uint16_t>(std::min(options.min_marker_size / 2, 65535.0));
   rules.chains.max_records = 65535;
-  rules.records = 65535;
+  rules.records = records;
   return rules;
 }
 
@@ -36,6 +36,10 @@ IntegerQuadLimits HardwarePipeline::quad_limits(const Options& options) {
   limits.max_area = square(std::min(options.max_marker_size, 65535.0)) * 6 / 5;
   limits.min_side = static_cast<int>(std::min(options.min_marker_size, 65535.0)) / 3;
   return limits;
+}
+
+IntegerReaderLimits HardwarePipeline::reader_limits(const Options& options) {
+  return {options.corrected_bits, static_cast<int>(std::lround(options.min_margin * 256))};
 }
 
 void HardwarePipeline::begin_frame(int width, int height) {

@@ -17,7 +17,9 @@ namespace runmark {
 /// corners. Corners are in sixteenths of a pixel.
 class HardwarePipeline final : public FramePipeline {
  public:
-  HardwarePipeline(const Options& options, const std::vector<Dictionary>& dictionaries);
+  /// @param records  crack runs alive at once, at most 65535; the hardware's are fewer
+  HardwarePipeline(const Options& options, const std::vector<Dictionary>& dictionaries,
+                   std::size_t records = 65535);
 
   /// A full square of 4x4 to 8x8 cells in a black border.
   [[nodiscard]] static bool can_read(const Dictionary& dictionary) {
@@ -25,9 +27,11 @@ class HardwarePipeline final : public FramePipeline {
   }
 
   /// What the preprocess and contour cores are told.
-  [[nodiscard]] static ContourRules contour_rules(const Options& options);
+  [[nodiscard]] static ContourRules contour_rules(const Options& options, std::size_t records = 65535);
   /// What the corner core is told.
   [[nodiscard]] static IntegerQuadLimits quad_limits(const Options& options);
+  /// What the pattern core is told.
+  [[nodiscard]] static IntegerReaderLimits reader_limits(const Options& options);
 
   void begin_frame(int width, int height) override;
   void push_row(const GreyFrame& frame, FoundMarkers& found, FrameStats& stats) override;

@@ -157,7 +157,7 @@ class Run {
   const Dictionary& codes_;
   Options options_;
   rtl::TopBench<Vfuzz_top> bench_;
-  rtl::PaperReference reference_;
+  rtl::Reference reference_;
   rtl::FrameCollector collector_;
 };
 
