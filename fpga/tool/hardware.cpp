@@ -7,6 +7,8 @@
 
 #include "Vrunmark_top.h"
 #include "Vrunmark_top_4k.h"
+#include "Vrunmark_top_hardware.h"
+#include "Vrunmark_top_hardware_4k.h"
 #include "pipeline/found_markers.h"
 #include "top_bench.h"
 #include "top_settings.h"
@@ -119,8 +121,9 @@ class TranslatedHardware final : public Hardware {
     marker.dictionary = settings_.dictionary.name;
     if (!found_.add(marker)) return false;
     const auto lowest = std::max_element(record.y, record.y + 4) - record.y;
-    const std::size_t x = static_cast<std::size_t>(std::max(record.x[lowest] - 1, 0));
-    const std::size_t last = (record.bottom - 1U) * static_cast<std::size_t>(width) + x;
+    const int x = record.fine != 0 ? record.x[lowest] / 16 : record.x[lowest] - 1;
+    const std::size_t last = (record.bottom - 1U) * static_cast<std::size_t>(width) +
+                             static_cast<std::size_t>(std::clamp(x, 0, width - 1));
     frame.latencies.push_back(taken.cycle - bench_.taken_at()[last]);
     return false;
   }
@@ -135,10 +138,15 @@ class TranslatedHardware final : public Hardware {
 
 std::unique_ptr<Hardware> make_hardware(const HardwareSettings& settings, int width, int height) {
   // Two frames, their sides rounded up to powers of two.
-  if (width <= 640 && height <= 480) {
-    return std::make_unique<TranslatedHardware<Vrunmark_top>>(settings, std::size_t{1} << 20);
+  constexpr std::size_t small = std::size_t{1} << 20;
+  constexpr std::size_t large = std::size_t{1} << 25;
+  const bool fits = width <= 640 && height <= 480;
+  if (settings.options.pipeline == Pipeline::hardware) {
+    if (fits) return std::make_unique<TranslatedHardware<Vrunmark_top_hardware>>(settings, small);
+    return std::make_unique<TranslatedHardware<Vrunmark_top_hardware_4k>>(settings, large);
   }
-  return std::make_unique<TranslatedHardware<Vrunmark_top_4k>>(settings, std::size_t{1} << 25);
+  if (fits) return std::make_unique<TranslatedHardware<Vrunmark_top>>(settings, small);
+  return std::make_unique<TranslatedHardware<Vrunmark_top_4k>>(settings, large);
 }
 
 }  // namespace runmark::rtl

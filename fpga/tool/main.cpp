@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "errors.h"
@@ -10,6 +11,7 @@
 #include "input.h"
 #include "library_messages.h"
 #include "marker_format.h"
+#include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "runmark/version.h"
 
@@ -20,6 +22,8 @@ using cli::InputError;
 using cli::UserError;
 
 struct Command {
+  Command() { hardware.options.pipeline = Pipeline::paper; }
+
   std::vector<std::string> images;
   std::string dictionary = "tag36h11";
   HardwareSettings hardware;
@@ -28,8 +32,15 @@ struct Command {
 void add_options(CLI::App& app, Command& command) {
   Options& o = command.hardware.options;
   app.add_option("IMAGE", command.images, "Image files, folders of images")->required()->type_name("");
+  const std::map<std::string, Pipeline> profiles{{"paper", Pipeline::paper},
+                                                 {"hardware", Pipeline::hardware}};
+  app.add_option("--pipeline", o.pipeline, "Profile of the cores; without it paper")
+      ->transform(CLI::CheckedTransformer(profiles).description(""))
+      ->type_name("paper|hardware");
   app.add_option("-d,--dict", command.dictionary,
-                 "Dictionary to look for, of 6x6 cells in a black border: a built-in name or a .codes file")
+                 "Dictionary to look for, in a black border, of 6x6 cells (hardware profile: 4x4 to 8x8): a "
+                 "built-in name or "
+                 "a .codes file")
       ->capture_default_str()
       ->type_name("NAME");
   app.add_flag("--inverted", o.inverted, "Also look for white-on-black markers");
@@ -39,12 +50,17 @@ void add_options(CLI::App& app, Command& command) {
   app.add_option("--corrected-bits", o.corrected_bits,
                  "Wrong bits corrected in a code; without it, the dictionary's safe number")
       ->check(CLI::Range(0, 64).description(""));
-  app.add_option("--threshold", o.fixed_threshold, "Grey levels below it are dark")
+  app.add_option("--min-contrast", o.min_contrast,
+                 "Hardware profile: least difference of dark and light, in grey levels")
+      ->check(CLI::Range(0, 255).description(""))
+      ->capture_default_str();
+  app.add_option("--threshold", o.fixed_threshold, "Paper profile: grey levels below it are dark")
       ->check(CLI::Range(0, 256).description(""))
       ->capture_default_str();
-  app.add_flag("--above-is-dark", o.above_is_dark, "Levels at or above the threshold are dark instead");
+  app.add_flag("--above-is-dark", o.above_is_dark,
+               "Paper profile: levels at or above the threshold are dark instead");
   app.add_option("--corner-offset", o.corner_offset,
-                 "Offset across the direction of travel that makes a corner, in pixels")
+                 "Paper profile: offset across the direction of travel that makes a corner, in pixels")
       ->check(CLI::Range(1, 255).description(""))
       ->capture_default_str();
   app.add_flag("--give-up", command.hardware.give_up,
@@ -56,8 +72,9 @@ void add_options(CLI::App& app, Command& command) {
   app.add_option("--trace", command.hardware.trace, "Write the waves of all signals (FST); takes one image")
       ->type_name("FILE");
   app.footer(
-      "Prints one JSON object an image, as `runmark detect --pipeline paper --format jsonl` does, and in\n"
-      "\"hardware\" clocks, peaks, what was dropped, and each marker's latency: from the pixel at its "
+      "Prints one JSON object an image, as `runmark detect --pipeline paper --format jsonl` (or hardware)\n"
+      "does, and in \"hardware\" clocks, peaks, what was dropped, and each marker's latency: from the pixel "
+      "at its "
       "lowest\n"
       "corner to the last word of its report, in clocks and in lines of one clock a pixel.\n"
       "Exit status: 0, also when nothing was found; 2 when something went wrong.");
@@ -66,11 +83,13 @@ void add_options(CLI::App& app, Command& command) {
 /// Checks what the detector would check, so that the errors are the same.
 void check(Command& command) {
   HardwareSettings& h = command.hardware;
-  h.options.pipeline = Pipeline::paper;
   h.dictionary = cli::value_or_throw(load_dictionary(command.dictionary));
   (void)cli::value_or_throw(Detector::create(h.options, {h.dictionary}));
-  if (h.dictionary.border != Border::black || !PaperPipeline::can_read(h.dictionary)) {
-    throw UserError("dictionary " + h.dictionary.name + ": the hardware reads 6x6 cells in a black border");
+  const bool paper = h.options.pipeline == Pipeline::paper;
+  if (h.dictionary.border != Border::black ||
+      !(paper ? PaperPipeline::can_read(h.dictionary) : HardwarePipeline::can_read(h.dictionary))) {
+    throw UserError("dictionary " + h.dictionary.name + ": the hardware reads " +
+                    (paper ? "6x6" : "4x4 to 8x8") + " cells in a black border");
   }
 }
 
@@ -108,6 +127,7 @@ int run(Command& command) {
     if (input.kind != cli::InputKind::image) throw UserError(input.name + ": only images can be run");
   }
   if (!command.hardware.trace.empty() && inputs.size() > 1) throw UserError("--trace takes one image");
+  const int least_width = command.hardware.options.pipeline == Pipeline::paper ? 3 : 16;
   std::unique_ptr<Hardware> small;
   std::unique_ptr<Hardware> large;
   std::vector<std::string> errors;
@@ -116,10 +136,10 @@ int run(Command& command) {
       const cli::Frame picture{input.name, 0, cli::read_image(input.name), true};
       const int width = picture.pixels.cols;
       const int height = picture.pixels.rows;
-      if (width < 3 || height < 3 || width > most_width || height > most_height) {
+      if (width < least_width || height < 3 || width > most_width || height > most_height) {
         throw InputError(input.name + ": " + std::to_string(width) + " x " + std::to_string(height) +
-                         " pixels: the hardware takes 3 x 3 to " + std::to_string(most_width) + " x " +
-                         std::to_string(most_height));
+                         " pixels: the hardware takes " + std::to_string(least_width) + " x 3 to " +
+                         std::to_string(most_width) + " x " + std::to_string(most_height));
       }
       auto& hardware = width <= 640 && height <= 480 ? small : large;
       if (!hardware) hardware = make_hardware(command.hardware, width, height);

@@ -1,4 +1,4 @@
-"""The hardware as a command, beside `runmark detect --pipeline paper`; RUNMARK_RTL and RUNMARK_PROGRAM say where they are."""
+"""The hardware as a command, beside `runmark detect` in both profiles; RUNMARK_RTL and RUNMARK_PROGRAM say where they are."""
 
 import json
 import os
@@ -52,9 +52,7 @@ class Command(unittest.TestCase):
         scene.write_ppm(paths[1], markers(400, 300))
         scene.write_pgm(paths[2], markers(700, 250))
         frames = self.frames(*paths)
-        detect = subprocess.run([SOFTWARE, "detect", "-f", "jsonl", "--pipeline", "paper", "--dict", "DICT_6X6_250",
-                                 *paths], capture_output=True, timeout=60, check=True)
-        detected = [json.loads(line) for line in detect.stdout.splitlines()]
+        detected = self.detected("--pipeline", "paper", "--dict", "DICT_6X6_250", *paths)
         for frame, plain, ends, records in zip(frames, detected, (640, 640, 3840), (1023, 1023, 4095), strict=True):
             hardware = frame.pop("hardware")
             self.assertEqual(frame, plain)
@@ -71,6 +69,26 @@ class Command(unittest.TestCase):
             self.assertEqual([hardware[f"dropped_{why}"] for why in ("full", "queue")], [0, 0])
             self.assertFalse(hardware["rest_given_up"])
 
+    def test_prints_what_the_detector_prints_in_the_hardware_profile(self):
+        """Markers of 4x4 cells at any rotation, and one picture for the larger core."""
+        paths = [self.path(name) for name in ("a.pgm", "b.ppm", "c.pgm")]
+        for path, write, size in zip(paths, (scene.write_pgm, scene.write_ppm, scene.write_pgm),
+                                     ((320, 240), (400, 300), (700, 250)), strict=True):
+            write(path, scene.Scene(*size).add("DICT_4X4_1000", 7, 40, 20, 9).add("DICT_4X4_1000", 41, 200, 100, 11))
+        arguments = ["--dict", "DICT_4X4_50", "--pipeline", "hardware"]
+        frames = [json.loads(line) for line in self.run_hardware(*arguments, *paths).stdout.splitlines()]
+        for frame, plain, records in zip(frames, self.detected(*arguments, *paths), (2047, 2047, 8191), strict=True):
+            hardware = frame.pop("hardware")
+            self.assertEqual(frame, plain)
+            self.assertEqual(sorted(marker["id"] for marker in frame["markers"]), [7, 41])
+            self.assertEqual(hardware["records"], records)
+            # The threshold runs eight rows late.
+            self.assertTrue(all(8 <= lines < 60 for lines in hardware["latency_lines"]), hardware)
+
+    def detected(self, *arguments):
+        result = subprocess.run([SOFTWARE, "detect", "-f", "jsonl", *arguments], capture_output=True, timeout=60, check=True)
+        return [json.loads(line) for line in result.stdout.splitlines()]
+
     def test_prints_what_the_detector_prints_of_photos(self):
         photos = pathlib.Path(os.environ.get("RUNMARK_SHARED", SOURCE.parent / "shared")) / "real-images"
         if not photos.is_dir():
@@ -78,13 +96,12 @@ class Command(unittest.TestCase):
         truth = json.loads((photos / "truth.json").read_text())
         small = [photo for photo in truth if photo["width"] <= 640 and photo["height"] <= 480]
         paths = [str(photos / "images" / photo["image"]) for photo in small[::max(1, len(small) // 6)]]
-        arguments = ["--dict", "tag36h11", "--threshold", "100"]
-        frames = [json.loads(line) for line in self.run_hardware(*arguments, *paths).stdout.splitlines()]
-        detect = subprocess.run([SOFTWARE, "detect", "-f", "jsonl", "--pipeline", "paper", *arguments, *paths],
-                                capture_output=True, timeout=60, check=True)
-        for frame in frames:
-            frame.pop("hardware")
-        self.assertEqual(frames, [json.loads(line) for line in detect.stdout.splitlines()])
+        for arguments in (["--dict", "tag36h11", "--threshold", "100", "--pipeline", "paper"],
+                          ["--dict", "tag36h11", "--pipeline", "hardware"]):
+            frames = [json.loads(line) for line in self.run_hardware(*arguments, *paths).stdout.splitlines()]
+            for frame in frames:
+                frame.pop("hardware")
+            self.assertEqual(frames, self.detected(*arguments, *paths))
 
     def test_writes_waves(self):
         scene.write_pgm(self.path("a.pgm"), scene.Scene(64, 40))
@@ -104,6 +121,9 @@ class Command(unittest.TestCase):
         self.expect_error(self.run_hardware(self.path("b.pgm")), "b.pgm: 2 x 40 pixels", "3 x 3 to 3840 x 2160")
         self.expect_error(self.run_hardware("--dict", "DICT_4X4_50", good), "DICT_4X4_50", "6x6")
         self.expect_error(self.run_hardware("--dict", "DICT_9X9", good), "DICT_9X9")
+        self.expect_error(self.run_hardware("--pipeline", "default", good), "--pipeline")
+        self.expect_error(self.run_hardware("--pipeline", "hardware", self.path("b.pgm")), "b.pgm", "16 x 3 to 3840 x 2160")
+        self.expect_error(self.run_hardware("--pipeline", "hardware", "--dict", "tagCircle21h7", good), "4x4 to 8x8")
         self.expect_error(self.run_hardware("--threshold", 257, good), "--threshold")
         self.expect_error(self.run_hardware("--trace", self.path("no/w.fst"), good), "no/w.fst")
         self.expect_error(self.run_hardware("--trace", self.path("w.fst"), good, good), "--trace")
