@@ -27,7 +27,7 @@ struct PaperProfile {
   /// Of `runmark render --set vga`, some with markers upright enough for the paper's cores; of `fullhd` one.
   static constexpr std::array rendered{21, 33, 62, 81, 106};
   static constexpr int rendered_large = 12;
-  static constexpr double clocks_a_pixel = 1.03;
+  static constexpr double clocks_a_pixel = 1.02;
 };
 
 /// The hardware profile, alike.

@@ -4,10 +4,13 @@
 #include <vector>
 
 #include "marker_scene.h"
+#include "pipeline/contour_scan.h"
 #include "preprocess/border.h"
 #include "preprocess/crack_runs.h"
 #include "preprocess/filter.h"
+#include "runmark/options.h"
 #include "threshold/fixed_threshold.h"
+#include "threshold/integer_tiles.h"
 
 namespace runmark::rtl {
 
@@ -26,40 +29,60 @@ struct EventCounts {
   }
 };
 
-/// Counts them by the plain cores: threshold, white border, the whole filter, crack runs, eight-connected.
-inline EventCounts count_events(const Scene& scene, const FixedThreshold& threshold) {
-  const std::size_t words = bit_words(scene.width);
-  std::vector<std::vector<BitWord>> raw(3, std::vector<BitWord>(words));
-  std::vector<std::vector<BitWord>> clean(2, std::vector<BitWord>(words));
-  std::vector<CrackRun> runs(max_crack_runs(scene.width));
-  EventCounts counts;
-  for (int y = 0; y <= scene.height; ++y) {
-    std::fill(raw[2].begin(), raw[2].end(), BitWord{0});
-    if (y < scene.height) {
-      threshold_row(scene.grey.data() + static_cast<std::ptrdiff_t>(y) * scene.width, scene.width, threshold,
-                    raw[2].data());
-      clear_border(raw[2].data(), scene.width, y, scene.height);
+using BitRows = std::vector<std::vector<BitWord>>;
+
+/// What the plain threshold core of the options' pipeline makes of a scene, its border light.
+inline BitRows dark_rows(const Scene& scene, const Options& options) {
+  BitRows rows(static_cast<std::size_t>(scene.height), std::vector<BitWord>(bit_words(scene.width)));
+  const auto grey = [&](int y) { return scene.grey.data() + static_cast<std::ptrdiff_t>(y) * scene.width; };
+  const auto row = [&](int y) { return rows[static_cast<std::size_t>(y)].data(); };
+  IntegerTiles tiles(scene.width);
+  tiles.begin_frame(scene.width, scene.height, options.min_contrast);
+  const auto take_tiles = [&] {
+    for (int y = tiles.ready_from(); y < tiles.ready_to(); ++y) tiles.threshold(grey(y), row(y));
+  };
+  for (int y = 0; y < scene.height; ++y) {
+    if (options.pipeline == Pipeline::hardware) {
+      if (tiles.add_row(grey(y))) take_tiles();
+    } else {
+      threshold_row(grey(y), scene.width, {options.fixed_threshold, options.above_is_dark}, row(y));
     }
-    filter_row(raw[0].data(), raw[1].data(), raw[2].data(), scene.width, filter_all, clean[1].data());
-    const std::size_t found =
-        find_crack_runs(clean[0].data(), clean[1].data(), scene.width, Connectivity::eight, runs);
+  }
+  if (options.pipeline == Pipeline::hardware) {
+    tiles.finish();
+    take_tiles();
+  }
+  for (int y = 0; y < scene.height; ++y) clear_border(row(y), scene.width, y, scene.height);
+  return rows;
+}
+
+/// Counts them by the plain cores: filter, crack runs.
+inline EventCounts count_events(const BitRows& dark, int width, const ContourRules& rules) {
+  const std::vector<BitWord> light(bit_words(width));
+  std::vector<BitWord> above = light;
+  std::vector<BitWord> clean = light;
+  std::vector<CrackRun> runs(max_crack_runs(width));
+  EventCounts counts;
+  for (std::size_t y = 0; y < dark.size(); ++y) {
+    filter_row(y == 0 ? light.data() : dark[y - 1].data(), dark[y].data(),
+               y + 1 == dark.size() ? light.data() : dark[y + 1].data(), width, rules.filter_cases,
+               clean.data());
+    const std::size_t found = find_crack_runs(above.data(), clean.data(), width, rules.connectivity, runs);
     for (std::size_t i = 0; i < found; ++i) {
-      const bool above = runs[i].left_above;
-      if (above != runs[i].right_above) {
+      const bool from_above = runs[i].left_above;
+      if (from_above != runs[i].right_above) {
         ++counts.shifts;
       } else {
-        ++(above ? counts.joins : counts.starts);
+        ++(from_above ? counts.joins : counts.starts);
       }
     }
-    for (int x = 1; x < scene.width; ++x) {
-      const bool left = bit_at(clean[1].data(), x - 1);
-      const bool right = bit_at(clean[1].data(), x);
+    for (int x = 1; x < width; ++x) {
+      const bool left = bit_at(clean.data(), x - 1);
+      const bool right = bit_at(clean.data(), x);
       counts.straights +=
-          left != right && left == bit_at(clean[0].data(), x - 1) && right == bit_at(clean[0].data(), x);
+          left != right && left == bit_at(above.data(), x - 1) && right == bit_at(above.data(), x);
     }
-    raw[0].swap(raw[1]);
-    raw[1].swap(raw[2]);
-    clean[0].swap(clean[1]);
+    above.swap(clean);
   }
   return counts;
 }
