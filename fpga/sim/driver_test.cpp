@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "Vrunmark_top.h"
+#include "Vrunmark_top_hardware.h"
 #include "top_frames.h"
 
 namespace runmark::rtl {
@@ -167,6 +168,72 @@ TEST_F(RtlDriver, RefusesWhatIsOutOfRange) {
   const runmark_device nobody{[](void*, std::uint32_t) { return 0U; },
                               [](void*, std::uint32_t, std::uint32_t) {}, nullptr};
   EXPECT_EQ(runmark_configure(&nobody, &good), RUNMARK_NO_CORE);
+}
+
+/// The registers of the hardware profile alone, and a frame through them.
+class RtlDriverHardware : public testing::Test {
+ protected:
+  static Options options(int width, int height) {
+    Options options;
+    options.pipeline = Pipeline::hardware;
+    options.max_width = width;
+    options.max_height = height;
+    return options;
+  }
+  runmark_settings settings(std::uint32_t control) {
+    return settings_of(options(150, 140), codes, 150, 140, control);
+  }
+  void TearDown() override { EXPECT_EQ(bench.faults(), std::vector<std::string>{}); }
+
+  const Dictionary codes = *builtin_dictionary("DICT_7X7_50");  // more bits than a word and a half
+  TopBench<Vrunmark_top_hardware> bench{{100, 90, 10, 70, 100, 4}};
+  const runmark_device& device = bench.device();
+};
+
+TEST_F(RtlDriverHardware, FeedsAFrameAndReadsItsMarkers) {
+  std::mt19937_64 random(94);
+  const runmark_settings s = settings(RUNMARK_CONTROL_FEED | RUNMARK_CONTROL_READ_RESULTS);
+  ASSERT_EQ(runmark_configure(&device, &s), RUNMARK_OK);
+  ASSERT_EQ(runmark_load_codes(&device, codes.codes.data(), 50), RUNMARK_OK);
+  runmark_run(&device, 1);
+  const Scene scene = make_scene(codes, 150, 140, random);
+  FrameCollector collector;
+  std::optional<FrameOutcome> frame;
+  std::size_t fed = 0;
+  for (int step = 0; step < 200000 && !frame; ++step) {
+    if (fed < scene.grey.size()) {
+      fed += static_cast<std::size_t>(runmark_feed(&device, scene.grey[fed], fed == 0, fed % 150 == 149));
+    }
+    runmark_record record{};
+    while (!frame && runmark_next_result(&device, &record) != 0) {
+      EXPECT_NE(record.fine, record.end_of_frame);
+      frame = collector.add(record, 140, false);
+    }
+  }
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(difference(*frame, Reference(options(150, 140), codes, 2047).run(scene)), "");
+  EXPECT_EQ(frame->markers.size(), 1U);
+}
+
+TEST_F(RtlDriverHardware, ReadsBackWhatItWroteAndRefusesWhatIsOutOfRange) {
+  const runmark_settings good = settings(0);
+  ASSERT_EQ(runmark_configure(&device, &good), RUNMARK_OK);
+  EXPECT_EQ(bench.read_register(RUNMARK_PROFILE), 1U);
+  EXPECT_EQ(bench.read_register(RUNMARK_CAPACITY), 2047U | 1024U << 16);
+  EXPECT_EQ(bench.read_register(RUNMARK_MIN_CONTRAST), 20U);
+  EXPECT_EQ(bench.read_register(RUNMARK_SQUARE), 2U | 13U << 16 | 9U << 24);
+  EXPECT_EQ(bench.read_register(RUNMARK_MIN_AREA), 51U);
+  EXPECT_EQ(bench.read_register(RUNMARK_MAX_AREA), 640U * 480);
+  const auto with = [&](auto&& change) {
+    runmark_settings s = good;
+    change(s);
+    return runmark_configure(&device, &s);
+  };
+  EXPECT_EQ(with([](auto& s) { s.width = 15; }), RUNMARK_BAD_SIZE);
+  EXPECT_EQ(with([](auto& s) { s.cells = 5; }), RUNMARK_BAD_SETTING);
+  EXPECT_EQ(with([](auto& s) { s.cells = 11; }), RUNMARK_BAD_SETTING);
+  EXPECT_EQ(with([](auto& s) { s.min_side = 65535; }), RUNMARK_OK) << "no side is as long";
+  EXPECT_EQ(bench.read_register(RUNMARK_SQUARE) & RUNMARK_SQUARE_MIN_SIDE_MASK, 639U);
 }
 
 }  // namespace
