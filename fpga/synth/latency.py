@@ -4,11 +4,13 @@
   fpga/synth/latency.py --size 640x480 --runs 2970 --segments 70 [--clock 100] [--pattern 2800]
 
   paper: pixels * 6 + max((segments + run lengths) * 2, pattern)
-  ours:  max(pixels + width + 21, contour): the filter runs a row behind, and contour is what the events take
+  ours:  max(pixels + rows x width + 21, contour): what comes out runs rows behind, one in the paper profile (its
+         filter), eight in the hardware profile (its tiles), and contour is what the events take
          (1 clock for a straight crack, 3 for a shift, 4 for a start, 6 for a closing run, 10 for another join)
 """
 import argparse
 
+PAPER_ROWS, HARDWARE_ROWS = 1, 8  # the last ones follow when the frame is in
 PIPELINE = 21  # clocks from the last pixel of the flushed row to the end of the frame, nothing left to be done
 
 
@@ -16,8 +18,8 @@ def paper(pixels, runs, segments, pattern=2800):
     return pixels * 6 + max((segments + runs) * 2, pattern)
 
 
-def ours(pixels, width, contour=0):
-    return max(pixels + width + PIPELINE, contour)
+def ours(pixels, width, contour=0, rows=PAPER_ROWS):
+    return max(pixels + rows * width + PIPELINE, contour)
 
 
 def contour_at_most(runs, segments, straights):
@@ -43,7 +45,8 @@ def main():
     pixels = width * height
     contour = contour_at_most(args.runs, args.segments, args.straights)
     for name, clocks in (("paper", paper(pixels, args.runs, args.segments, args.pattern)),
-                         ("ours", ours(pixels, width, contour))):
+                         ("ours", ours(pixels, width, contour)),
+                         ("ours, hardware profile", ours(pixels, width, contour, HARDWARE_ROWS))):
         print(f"{name}: {clocks} clocks, {clocks / args.clock / 1000:.2f} ms, "
               f"{args.clock * 1e6 / clocks:.1f} frames/s at {args.clock:g} MHz")
 

@@ -40,26 +40,29 @@ def placed(figures):
 
 
 def rates():
-    """A pixel a clock and a row of flushing, beside the paper's equation 6 at its own load."""
+    """A pixel a clock and the rows of flushing, beside the paper's equation 6 at its own load."""
     lines = []
     for width, height in SIZES:
         clocks = latency.ours(width * height, width)
+        hardware = latency.ours(width * height, width, rows=latency.HARDWARE_ROWS)
         paper = latency.paper(width * height, 2970, 70)
         lines.append([f"{width}x{height}", number(clocks), f"{1e8 / clocks:.1f}", f"{1.5e8 / clocks:.1f}",
-                      f"{1e8 / paper:.1f}"])
-    return rows(["frame", "clocks", "frames/s at 100 MHz", "at 150 MHz", "the paper's equation 6 at 100 MHz"], lines)
+                      number(hardware), f"{1e8 / hardware:.1f}", f"{1.5e8 / hardware:.1f}", f"{1e8 / paper:.1f}"])
+    return rows(["frame", "clocks, paper profile", "frames/s at 100 MHz", "at 150 MHz", "clocks, hardware profile",
+                 "frames/s at 100 MHz", "at 150 MHz", "the paper's equation 6 at 100 MHz"], lines)
 
 
 def targets(simulation):
-    scenes = simulation["scenes"]
     lines = []
-    for name, kind in (("vga ", "rendered scenes, set `vga`"), ("upright ", "frames of upright markers")):
-        of = [s for s in scenes if s["name"].startswith(name)]
+    for profile, name, kind in (("paper", "vga ", "paper: rendered scenes, set `vga`"),
+                                ("paper", "upright ", "paper: frames of upright markers"),
+                                ("hardware", "vga ", "hardware: rendered scenes, set `vga`")):
+        of = [s for s in simulation[profile]["scenes"] if s["name"].startswith(name)]
         thin = [s for s in of if s["events_per_100_pixels"] < 10]
         lines.append([
             kind, len(of), f"{sum(s['markers'] for s in of) - sum(s['missed'] for s in of)} of "
             f"{sum(s['markers'] for s in of)}",
-            f"{sum(s['quads_of_hardware'] for s in of)} of {sum(s['quads'] for s in of)}",
+            f"{sum(s['quads_of_hardware'] for s in of):.0f} of {sum(s['quads'] for s in of)}",
             f"{max(s['record_peak_unlimited'] for s in of)}",
             sum(s["dropped"] > 0 for s in of),
             f"{max(s['cycles_per_pixel'] for s in thin):.4f} ({len(thin)} scenes)",
@@ -70,32 +73,30 @@ def targets(simulation):
 
 
 def waits(simulation):
-    found = [s for s in simulation["scenes"] if s["latest_report"]]
-    longest = max(found, key=lambda s: s["latest_report"])
-    middle = sorted(s["latest_report"] for s in found)[len(found) // 2]
-    clocks = longest["latest_report"]
-    return (f"From a marker's last pixel to its report, the longest wait in a frame: {middle} clocks in the median frame "
-            f"({middle / longest['width']:.1f} lines, {middle / 100:.1f} us at 100 MHz), {clocks} in the worst "
-            f"({clocks / longest['width']:.1f} lines, {clocks / 100:.1f} us). {len(found)} frames with markers, "
-            f"250 codes, a memory that answers {simulation['memory_latency']} clocks after it is asked. A row of it is "
-            "the filter's; the rest is the search of the dictionary and markers that end in the same rows.")
+    lines = []
+    for profile in ("paper", "hardware"):
+        found = [s for s in simulation[profile]["scenes"] if s["latest_report"]]
+        longest = max(found, key=lambda s: s["latest_report"])
+        middle = sorted(s["latest_report"] for s in found)[len(found) // 2]
+        lines.append([profile, len(found)] + [f"{number(clocks)} clocks, {clocks / longest['width']:.1f} lines, "
+                                              f"{clocks / 100:.0f} us" for clocks in (middle, longest["latest_report"])])
+    return rows(["profile", "frames with markers", "median frame", "worst frame"], lines)
 
 
 def predicted(simulation):
-    scenes = simulation["scenes"]
-    vga = sorted((s for s in scenes if s["name"].startswith("vga ")), key=lambda s: s["events"])
-    chosen = [vga[0], vga[len(vga) // 2], vga[-1], simulation["load"]]
     lines = []
-    for s in chosen:
-        paper = latency.paper(s["pixels"], s["runs"], s["segments"])
-        ours = latency.ours(s["pixels"], s["width"], s["contour_clocks"])
-        lines.append([s["name"], number(s["runs"]), number(s["segments"]), f"{paper / 1e5:.2f} ms",
-                      f"{ours / 1e5:.3f} ms", f"{s['cycles'] / 1e5:.3f} ms"])
-    return rows(["frame", "run lengths", "segments", "the paper's formula", "our formula", "measured"], lines)
+    for profile, rows_behind in (("paper", latency.PAPER_ROWS), ("hardware", latency.HARDWARE_ROWS)):
+        vga = sorted((s for s in simulation[profile]["scenes"] if s["name"].startswith("vga ")), key=lambda s: s["events"])
+        for s in (vga[0], vga[len(vga) // 2], vga[-1], simulation[profile]["load"]):
+            paper = latency.paper(s["pixels"], s["runs"], s["segments"])
+            ours = latency.ours(s["pixels"], s["width"], s["contour_clocks"], rows_behind)
+            lines.append([profile, s["name"], number(s["runs"]), number(s["segments"]), f"{paper / 1e5:.2f} ms",
+                          f"{ours / 1e5:.3f} ms", f"{s['cycles'] / 1e5:.3f} ms"])
+    return rows(["profile", "frame", "run lengths", "segments", "the paper's formula", "our formula", "measured"], lines)
 
 
 def load(simulation, total):
-    s = simulation["load"]
+    s = simulation["paper"]["load"]
     paper = latency.paper(s["pixels"], s["runs"], s["segments"])
     return rows(["", "paper", "here"], [
         ["run lengths, segments in the frame", "2,970, 70", f"{number(s['runs'])}, {s['segments']}"],
@@ -111,26 +112,26 @@ def matches(simulation):
     return rows(["a match", "clocks"], lines)
 
 
-def growth(grown, simulation):
-    peaks = {(g["width"], g["height"]): g for g in simulation["growth"]}
+def growth(profile, grown, simulation):
+    peaks = {(g["width"], g["height"]): g for g in simulation[profile]["growth"]}
     lines = []
     for g in grown:
         peak = peaks[tuple(g["size"])]
         lines.append(["{}x{}".format(*g["size"]), number(g["lut"]), number(g["ff"]), number(g["ram_bits"]),
                       number(g["list_bits"]), number(g["line_bits"]), nanoseconds(g), number(g["records"]),
                       f"{number(peak['record_peak'])} ({peak['scenes']} scenes)", number(peak["most_runs"])])
-    return rows(["frame", "LUT", "FF", "RAM bits", "lists", "line store", "slowest path", "records",
+    return rows([f"{profile} profile", "LUT", "FF", "RAM bits", "lists", "line store", "slowest path", "records",
                  "records in use at most, rendered scenes, no limit", "crack runs at most"], lines)
 
 
 def stripes(simulation):
     lines = []
-    for s in simulation["stripes"]:
+    for profile, s in ((profile, s) for profile in ("paper", "hardware") for s in simulation[profile]["stripes"]):
         period = int(s["name"].split()[-1])
-        lines.append([f"N/{period // 2}" if period % 2 == 0 else f"2N/{period}", number(s["runs"]),
+        lines.append([profile, f"N/{period // 2}" if period % 2 == 0 else f"2N/{period}", number(s["runs"]),
                       f"{s['cycles_per_pixel']:.3f}", number(s["record_peak_unlimited"]), s["record_peak"],
                       number(s["dropped"])])
-    return rows(["links a row", "run lengths in the frame", "cycles a pixel", "records for all", "records there are",
+    return rows(["profile", "links a row", "run lengths in the frame", "cycles a pixel", "records for all", "records there are",
                  "clocks in which a chain was given up"], lines)
 
 
@@ -140,10 +141,11 @@ def of_synthesis(figures, yosys):
 
 
 def of_the_rest(figures, places, grown, simulation):
+    """`grown` has a list of figures for each profile."""
     total = next(f for f in figures if f["core"] == "total")
     return {"placed": placed(places), "targets": targets(simulation), "waits": waits(simulation),
             "predicted": predicted(simulation), "load": load(simulation, total), "matches": matches(simulation),
-            "growth": growth(grown, simulation), "stripes": stripes(simulation)}
+            "growth": "\n\n".join(growth(profile, grown[profile], simulation) for profile in ("paper", "hardware")), "stripes": stripes(simulation)}
 
 
 def write(path, blocks):

@@ -42,10 +42,12 @@ def sources(module):
     return " ".join(name + ".sv" for name in sorted(found))
 
 
-def memories(netlist, module):
+def memories(netlist):
     """Bits of each memory as written, whatever it is mapped to."""
+    # Its name says its parameters where they were changed.
+    top = next(module for module in netlist["modules"].values() if "top" in module["attributes"])
     found = {}
-    for name, cell in netlist["modules"][module]["cells"].items():
+    for name, cell in top["cells"].items():
         if cell["type"] in ("$mem", "$mem_v2"):
             parameters = cell["parameters"]
             found[name.lstrip("\\")] = int(parameters["WIDTH"], 2) * int(parameters["SIZE"], 2)
@@ -61,11 +63,11 @@ def synthesise(core, module, parameters=None):
                    f"read_verilog -sv -I. {sources(module)}; {change} design -save rtl; "
                    f"hierarchy -top {module}; proc; opt_clean; flatten; memory_dff; memory_collect; "
                    f"write_json {netlist}; design -load rtl; "
-                   f"synth_xilinx -family xc7 -flatten -top {module}; tee -a /dev/stdout stat -top {module}; "
+                   f"synth_xilinx -family xc7 -flatten -top {module}; tee -a /dev/stdout stat; "
                    # Without the timing of the library's cells read again, sta skips carry and mux paths.
                    "read_verilog -overwrite -lib -specify +/xilinx/cells_sim.v; sta"], cwd=RTL)
         with open(netlist) as file:
-            memory = memories(json.load(file), module)
+            memory = memories(json.load(file))
     if "no timing arcs" in log:
         raise Failed(f"{core}: sta: " + re.search(r"Module '\S+' has no timing arcs", log).group(0))
     arrival = re.search(r"Latest arrival time in '\S+' is (\d+)", log)
