@@ -1,7 +1,8 @@
 // Any beats as the RTL's video input, with lines, starts and ends where they do not belong, from a camera, to
 // a memory and a processor of any manners: every frame that starts also ends, every channel keeps to its
-// protocol, and the next good frame is read as the C++ pipeline reads it.
+// protocol, and the next good frame is read as the C++ pipeline of the same profile reads it.
 
+#include <Vfuzz_hardware_top.h>
 #include <Vfuzz_top.h>
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -17,9 +18,22 @@ namespace {
 using rtl::VideoBeat;
 
 constexpr int most_side = 64;
-constexpr std::size_t records = 40;  // so few that they run out; CMakeLists.txt tells the RTL the same
 constexpr std::size_t most_damages = 12;
 constexpr std::uint64_t most_cycles = 2000000;
+
+/// The records are so few that they run out; CMakeLists.txt tells the RTL the same.
+struct Paper {
+  using Model = Vfuzz_top;
+  static constexpr Pipeline pipeline = Pipeline::paper;
+  static constexpr std::size_t records = 40;
+  static constexpr int least_width = 3;
+};
+struct Hardware {
+  using Model = Vfuzz_hardware_top;
+  static constexpr Pipeline pipeline = Pipeline::hardware;
+  static constexpr std::size_t records = 60;
+  static constexpr int least_width = 16;
+};
 
 const Dictionary& dictionary(bool lax) {
   static const std::array<Dictionary, 2> both = [] {
@@ -29,10 +43,11 @@ const Dictionary& dictionary(bool lax) {
   return both[lax ? 1 : 0];
 }
 
+template <class Profile>
 Options options(FuzzedDataProvider& input) {
   Options options;
-  options.pipeline = Pipeline::paper;
-  options.max_width = input.ConsumeIntegralInRange(3, most_side);
+  options.pipeline = Profile::pipeline;
+  options.max_width = input.ConsumeIntegralInRange(Profile::least_width, most_side);
   options.max_height = input.ConsumeIntegralInRange(3, most_side);
   options.inverted = input.ConsumeBool();
   options.above_is_dark = input.ConsumeBool();
@@ -102,13 +117,14 @@ std::vector<Damage> damages(FuzzedDataProvider& input) {
   return result;
 }
 
+template <class Profile>
 class Run {
  public:
   explicit Run(FuzzedDataProvider& input)
       : codes_(dictionary(input.ConsumeBool())),
-        options_(options(input)),
+        options_(options<Profile>(input)),
         bench_(manners(input)),
-        reference_(options_, codes_, records) {
+        reference_(options_, codes_, Profile::records) {
     const auto settings =
         rtl::settings_of(options_, codes_, options_.max_width, options_.max_height, RUNMARK_CONTROL_PATIENT);
     expect(runmark_configure(&bench_.device(), &settings) == RUNMARK_OK, "the settings are taken");
@@ -156,7 +172,7 @@ class Run {
 
   const Dictionary& codes_;
   Options options_;
-  rtl::TopBench<Vfuzz_top> bench_;
+  rtl::TopBench<typename Profile::Model> bench_;
   rtl::Reference reference_;
   rtl::FrameCollector collector_;
 };
@@ -166,7 +182,11 @@ class Run {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider input(data, size);
-  runmark::fuzz::Run run(input);
-  run.run(input);
+  using namespace runmark::fuzz;
+  if (input.ConsumeBool()) {
+    Run<Hardware>(input).run(input);
+  } else {
+    Run<Paper>(input).run(input);
+  }
   return 0;
 }
