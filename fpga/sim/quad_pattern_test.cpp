@@ -212,11 +212,11 @@ void compare(const char* name, int corrected_bits, int min_margin, int quads, st
 
 TEST(RtlQuadPattern, IsThePlainCore) {
   std::mt19937_64 random(91);
-  compare("DICT_6X6_250", 5, 13, 300, random);
-  compare("DICT_4X4_50", 1, 13, 150, random);
-  compare("DICT_5X5_100", 2, 40, 150, random);
-  compare("DICT_7X7_100", 4, 0, 150, random);
-  compare("tag36h11", 0, 13, 100, random);
+  compare("DICT_6X6_250", 5, 13, 1500, random);
+  compare("DICT_4X4_50", 1, 13, 600, random);
+  compare("DICT_5X5_100", 2, 40, 600, random);
+  compare("DICT_7X7_100", 4, 0, 600, random);
+  compare("tag36h11", 0, 13, 400, random);
 }
 
 TEST(RtlQuadPattern, PlacesWhileItReads) {

@@ -141,7 +141,7 @@ TEST(RtlQuad, IsThePlainCoreOnQuadrilaterals) {
   int quads = 0;
   int holes = 0;
   int others = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 2500; ++i) {
     const int size = 16 + static_cast<int>(random() % (i % 4 == 0 ? 400 : 80));
     IntegerQuadLimits limits;
     if (i % 7 == 0) limits.min_area = static_cast<std::int64_t>(random() % 3000);
@@ -165,7 +165,7 @@ TEST(RtlQuad, IsThePlainCoreOnNoise) {
   std::mt19937_64 random(82);
   int chains = 0;
   int quads = 0;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     PixelImage image(40, 40);
     const std::uint64_t coarse = 1 + random() % 4;
     const std::uint64_t share = 20 + random() % 60;

@@ -94,7 +94,7 @@ TEST(RtlTileThreshold, IsThePlainCore) {
   Bench bench;
   std::mt19937_64 random(70);
   int dark = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const int width = 16 + static_cast<int>(random() % 60);
     const int height = 1 + static_cast<int>(random() % 40);
     const Frame frame = random_frame(width, height, random);
@@ -105,7 +105,7 @@ TEST(RtlTileThreshold, IsThePlainCore) {
         << width << "x" << height << ", frame " << i;
     for (const bool d : plain) dark += d ? 1 : 0;
   }
-  EXPECT_GT(dark, 10000);
+  EXPECT_GT(dark, 100000);
 }
 
 TEST(RtlTileThreshold, TakesAPixelAClockAndEightRowsToEnd) {

@@ -18,6 +18,7 @@ namespace runmark::rtl {
 struct PaperProfile {
   static constexpr const char* name = "Paper";
   static constexpr Pipeline pipeline = Pipeline::paper;
+  static constexpr int least_width = 3;
   using Vga = TopBench<Vrunmark_top>;
   using Large = TopBench<Vrunmark_top_4k>;
   using Small = TopBench<Vrunmark_top_small>;
@@ -34,6 +35,7 @@ struct PaperProfile {
 struct HardwareProfile {
   static constexpr const char* name = "Hardware";
   static constexpr Pipeline pipeline = Pipeline::hardware;
+  static constexpr int least_width = 16;
   using Vga = TopBench<Vrunmark_top_hardware>;
   using Large = TopBench<Vrunmark_top_hardware_4k>;
   using Small = TopBench<Vrunmark_top_hardware_small>;

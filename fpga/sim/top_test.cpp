@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "figures/scenes.h"
+#include "noise_image.h"
 #include "top_profiles.h"
 
 namespace runmark::rtl {
@@ -132,6 +133,48 @@ TYPED_TEST(RtlTop, IsThePipelineOnEveryTinyImage) {
     }
   }
   EXPECT_GT(markers, 1000U);
+}
+
+/// 10,000 small frames of noise of any density and granularity, some of them grey, one behind the other.
+TYPED_TEST(RtlTop, IsThePipelineOnSmallFrames) {
+  std::mt19937_64 random(89);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  std::size_t markers = 0;
+  std::size_t quads = 0;
+  for (int i = 0; i < 200; ++i) {
+    Options options = this->options(TypeParam::least_width + below(30), 3 + below(40));
+    options.min_marker_size = below(8);
+    options.inverted = below(2) != 0;
+    options.corner_offset = 1 + below(4);
+    options.connectivity = below(2) != 0 ? Connectivity::four : Connectivity::eight;
+    if (below(2) != 0) options.filter = static_cast<std::uint8_t>(below(64));
+    Station<typename TypeParam::Vga> station(
+        {below(3) == 0 ? 60 : 100, 100, 1 + below(20), 100, 100, random()}, options, this->lax(),
+        TypeParam::vga_records, RUNMARK_CONTROL_PATIENT);
+    std::vector<Scene> scenes;
+    for (int k = 0; k < 50; ++k) {
+      const PixelImage image =
+          noise_image(options.max_width, options.max_height, 10 + below(81), 1 + below(12), random());
+      Scene scene{options.max_width, options.max_height, 0, {}};
+      const int noise = k % 2 == 0 ? 1 : 1 + below(120);
+      for (int y = 0; y < scene.height; ++y) {
+        for (int x = 0; x < scene.width; ++x) {
+          scene.grey.push_back(static_cast<std::uint8_t>((image.dark(x, y) ? 40 : 150) + below(noise)));
+        }
+      }
+      station.bench.send(video_of(scene));
+      scenes.push_back(std::move(scene));
+    }
+    for (const Scene& scene : scenes) {
+      const auto frame = station.next_frame();
+      ASSERT_TRUE(frame);
+      ASSERT_EQ(difference(*frame, station.plain(scene)), "") << "round " << i;
+      markers += frame->markers.size();
+      quads += station.plain_stats().quads;
+    }
+  }
+  EXPECT_GT(markers, 1000U);
+  EXPECT_GT(quads, markers);
 }
 
 /// Small frames of noise and marker pieces with lists so small that they run out: the same chains are
