@@ -50,8 +50,8 @@ class Hardware {
 inline constexpr int most_width = 3840;
 inline constexpr int most_height = 2160;
 
-/// The smallest core built that takes such pictures: 640x480 with 1,023 records, or 3840x2160 with 4,095; twice the
-/// records in the hardware profile.
+/// The smallest core built that takes such pictures: 640x480 with 1,023 records, or 3840x2160 with 4,095;
+/// twice the records in the hardware profile.
 [[nodiscard]] std::unique_ptr<Hardware> make_hardware(const HardwareSettings& settings, int width,
                                                       int height);
 
