@@ -40,11 +40,11 @@ typedef struct {
   uint16_t id; /* at the end of a frame its number, counted from 0 at reset */
   uint8_t rotation, errors, inverted;
   uint16_t bottom; /* crack line on which the outline closed: one below the marker's last row */
-  /* Top-left, top-right, bottom-right, bottom-left as drawn. Paper profile: cracks, pixels are x - 0.5; hardware
-   * profile (fine): sixteenths of a pixel, pixels are x / 16. */
+  /* Top-left, top-right, bottom-right, bottom-left as drawn. Paper profile: cracks, pixels are x - 0.5;
+   * hardware profile (fine): sixteenths of a pixel, pixels are x / 16. */
   int32_t x[4], y[4];
   int fine;
-  uint32_t clearance, scale; /* fine: one over the other is the decision margin */
+  uint32_t clearance, scale;        /* fine: one over the other is the decision margin */
   uint8_t malformed, lost, dropped; /* end: the frame had bad lines, was given up, had chains dropped */
   uint16_t record_peak, end_peak;   /* end: most records and open ends at once */
 } runmark_record;
@@ -61,8 +61,8 @@ typedef enum {
 
 /* Sets everything and stops the core. Frames under way end as they would have. */
 runmark_status runmark_configure(const runmark_device* device, const runmark_settings* settings);
-/* Loads the dictionary: row by row, bit 0 of a code the bottom-right cell, 1 = white; paper profile: 36 bits. Only while the core
- * is stopped and no frame is open. */
+/* Loads the dictionary: row by row, bit 0 of a code the bottom-right cell, 1 = white; paper profile: 36 bits.
+ * Only while the core is stopped and no frame is open. */
 runmark_status runmark_load_codes(const runmark_device* device, const uint64_t* codes, unsigned count);
 /* Takes in frames from the next start of frame on, or stops at the next start of frame. */
 void runmark_run(const runmark_device* device, int run);
