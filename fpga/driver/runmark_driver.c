@@ -16,7 +16,8 @@ runmark_status runmark_configure(const runmark_device* device, const runmark_set
   const uint32_t width = FIELD(largest, RUNMARK_LARGEST_WIDTH);
   const uint32_t height = FIELD(largest, RUNMARK_LARGEST_HEIGHT);
   const int hardware = get(device, RUNMARK_PROFILE) == 1;
-  if (s->width < (hardware ? 16 : 3) || s->height < 3 || s->width > width || s->height > height) return RUNMARK_BAD_SIZE;
+  if (s->width < (hardware ? 16 : 3) || s->height < 3 || s->width > width || s->height > height)
+    return RUNMARK_BAD_SIZE;
   if (s->threshold > 256 || s->filter > 63 || s->max_turns == 0 || s->max_turns > 31 ||
       s->min_height > height || s->max_errors > 63 || s->frame_address % 4096 != 0 ||
       (hardware ? s->cells < 6 || s->cells > 10 : s->corner_offset == 0)) {
