@@ -1,5 +1,5 @@
 // Divides two magnitudes, a bit of the quotient a clock, zeros or ones following the dividend's last bit. `divisor` is
-// given shifted up to the weight of the quotient's first bit.
+// given shifted up to the weight of the quotient's first bit, and must stay until the quotient is there.
 //
 // The quotient has one bit more than is wanted: when the first is set it is too large for the others.
 module divider #(
@@ -17,16 +17,14 @@ module divider #(
     output logic [QW-1:0] quotient
 );
   logic [W:0] rest;
-  logic [W-1:0] by;
   logic [4:0] left;
-  wire [W+1:0] less = {1'b0, rest} - {2'b0, by};
+  wire [W+1:0] less = {1'b0, rest} - {2'b0, divisor};
   wire fits = !less[W+1];
   assign busy = left != '0;
 
   always_ff @(posedge clk) begin
     if (start) begin
       rest <= {1'b0, dividend};
-      by <= divisor;
       left <= steps;
       quotient <= '0;
     end else if (busy) begin
