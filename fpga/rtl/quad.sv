@@ -74,19 +74,17 @@ module quad #(
   assign quad_valid = state == EMIT;
   assign quad_hole = hole;
 
-  // The multiplier and a sum of its products: factors, a clock later the product or what it adds up to.
-  logic signed [MW-1:0] f, corners_f, side_f, meet_f;
-  logic signed [17:0] g, corners_g, side_g, meet_g;
-  logic add, corners_add, side_add, meet_add;
+  // The multiplier and a sum of its products.
+  logic signed [MW-1:0] corners_f, side_f, meet_f;
+  logic signed [17:0] corners_g, side_g, meet_g;
+  logic corners_add, side_add, meet_add;
   logic signed [PW-1:0] product;
   wire signed [CW-1:0] run_back = $signed({1'b0, at_x} - {1'b0, to_x});
   wire walk_multiplies = state == VERTICES;
-  always_ff @(posedge clk) begin
-    f <= (walk_multiplies ? MW'(to_y) : '0) | corners_f | side_f | meet_f;
-    g <= (walk_multiplies ? 18'(run_back) : '0) | corners_g | side_g | meet_g;
-    add <= corners_add | side_add | meet_add;
-    product <= (add ? product : '0) + PW'(f * g);
-  end
+  multiply_add #(.FW(MW), .GW(18)) multiplier (
+      .clk(clk), .f((walk_multiplies ? MW'(to_y) : '0) | corners_f | side_f | meet_f),
+      .g((walk_multiplies ? 18'(run_back) : '0) | corners_g | side_g | meet_g),
+      .add(corners_add | side_add | meet_add), .product(product));
 
   logic signed [SUM-1:0] sum;
   wire [VW-1:0] sum_size = sum[SUM-1] ? VW'(-sum) : VW'(sum);

@@ -113,7 +113,7 @@ module quad_meet #(
         if (start) state <= SINE_1;
       end
       SINE_1: begin
-        off_all <= -(SW + 6)'(32);
+        off_all <= (SW + 6)'(-32);
         state <= SINE_2;
       end
       SINE_2: state <= APART_1;
