@@ -78,6 +78,7 @@ module cell_light (
   wire [3:0] last_inside = width - 4'd2;
   wire border = column == '0 || row == '0 || column == last_cell || row == last_cell;
   logic leveled, leveled_border, written_border;
+  logic signed [15:0] kept;
   logic [3:0] white_border;
   logic [2:0] count;
   always_comb begin
@@ -185,7 +186,7 @@ module cell_light (
         column <= column == last_cell ? '0 : column + 1'b1;
         if (column == last_cell) row <= row + 1'b1;
         at <= at + 1'b1;
-        count <= 3'd1;
+        kept <= seen;
         state <= column == last_cell && row == last_cell ? LEVEL_5 : LEVEL_1;
       end
       LEVEL_5: begin
@@ -232,8 +233,8 @@ module cell_light (
 
     if (leveled) begin
       write <= 1'b1;
-      write_at <= read_at;
-      written <= seen - $signed(product[23:8]);
+      write_at <= at - 1'b1;
+      written <= kept - $signed(product[23:8]);
     end
     // The moments take turns; so does the plane.
     if (adding[1] || adding[2]) {plane, other_plane} <= {other_plane, plane + FW'(product)};

@@ -87,7 +87,8 @@ module quad #(
       .add(corners_add | side_add | meet_add), .product(product));
 
   logic signed [SUM-1:0] sum;
-  wire [VW-1:0] sum_size = sum[SUM-1] ? VW'(-sum) : VW'(sum);
+  wire [VW:0] sum_size_1 = {sum[VW-1:0] ^ {VW{sum[SUM-1]}}, 1'b1} + {{VW{1'b0}}, sum[SUM-1]};
+  wire [VW-1:0] sum_size = sum_size_1[VW:1];
   logic corners_sum, side_sum;
 
   // The divider: the dividend is complemented when it is negative, and so is the quotient: it is rounded down.
@@ -274,4 +275,5 @@ module quad #(
     endcase
     if (reset) state <= IDLE;
   end
+  wire unused = &{1'b0, sum_size_1[0]};
 endmodule

@@ -92,14 +92,14 @@ module quad_corners #(
     end
   end
   assign sum_add = state == SIDES && count[2:0] == 3'd4;
-  function automatic [CW-1:0] magnitude(input signed [CW-1:0] v);
-    magnitude = v[CW-1] ? -v : v;
-  endfunction
-  wire [CW-1:0] size_x = magnitude(side_x);
-  wire [CW-1:0] size_y = magnitude(side_y);
+  // A magnitude: the complement, and the sign the last bit's carry.
+  wire [CW:0] size_x_1 = {side_x ^ {CW{side_x[CW-1]}}, 1'b1} + {{CW{1'b0}}, side_x[CW-1]};
+  wire [CW:0] size_y_1 = {side_y ^ {CW{side_y[CW-1]}}, 1'b1} + {{CW{1'b0}}, side_y[CW-1]};
+  wire [CW-1:0] size_x = size_x_1[CW:1];
+  wire [CW-1:0] size_y = size_y_1[CW:1];
   wire wider = size_x >= size_y;
   logic [CW-2:0] half_shorter;
-  // Whether a magnitude is greater than a limit, its sign being the last bit's carry.
+  // Whether a magnitude is greater than a limit.
   logic signed [VW:0] span_off;
   logic [VW:0] span_room;
   wire [VW+1:0] span_left = {span_room, 1'b1} + {~span_off ^ {(VW + 1) {span_off[VW]}}, !span_off[VW]};
@@ -193,4 +193,5 @@ module quad_corners #(
     end
     if (reset) state <= REST;
   end
+  wire unused = &{1'b0, size_x_1[0], size_y_1[0]};
 endmodule

@@ -63,10 +63,14 @@ module quad_meet #(
 
   wire down = state == SINE_2 || state == APART_2 || state == ALONG_2 || state == PLACE_Y;  // y, not x
   wire signed [16:0] a_part = a_across != down ? ONE : a_slope;
-  wire signed [16:0] b_crosswise = b_across ? (down ? -ONE : b_slope) : (down ? -b_slope : ONE);
+  // Of the line of the side, y, then the opposite of x.
+  wire signed [16:0] b_part = b_across != down ? b_slope : ONE;
+  wire [17:0] b_crosswise_1 = {b_part ^ {17{down}}, 1'b1} + {17'b0, down};
+  wire signed [16:0] b_crosswise = $signed(b_crosswise_1[17:1]);
   logic signed [SW:0] apart;  // x, then y
 
   logic [19:0] sine;  // its size, later
+  wire [20:0] sine_size = {sine ^ {20{sine[19]}}, 1'b1} + {20'b0, sine[19]};
   logic turned;
   logic signed [SW+3:0] place, off;
   wire signed [SW+3:0] whole = product[SW+17:14];
@@ -123,7 +127,7 @@ module quad_meet #(
         state <= SIZE;
       end
       SIZE: begin
-        sine <= sine[19] ? -sine : sine;
+        sine <= sine_size[20:1];
         turned <= sine[19];
         state <= REACH;
       end
@@ -165,5 +169,5 @@ module quad_meet #(
     endcase
     if (reset) state <= REST;
   end
-  wire unused = &{1'b0, product[PW-1:SW+20], off_more[0]};
+  wire unused = &{1'b0, product[PW-1:SW+20], off_more[0], b_crosswise_1[0], sine_size[0]};
 endmodule

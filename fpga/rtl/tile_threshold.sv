@@ -65,15 +65,20 @@ module tile_threshold #(
     both = {a[15:8] > b[15:8] ? a[15:8] : b[15:8], a[7:0] < b[7:0] ? a[7:0] : b[7:0]};
   endfunction
   logic [15:0] band[0:TILES-1];
-  logic [15:0] band_before, tile_so_far;
+  logic [15:0] band_read, band_before, tile_so_far;
   wire [TW-1:0] tile = here_x[XW-1:2];
   wire tile_begins = here_x[1:0] == 2'd0;
   wire tile_ends = here_x[1:0] == 2'd3 || ends_line;
   wire [15:0] tile_before = !tile_begins ? tile_so_far : here_y[1:0] == 2'd0 ? NOTHING : band_before;
   wire [15:0] tile_now = flushing ? tile_before : both(tile_before, {in_grey, in_grey});
+  // Read two pixels ahead, written one behind.
+  wire [TW-1:0] tile_ahead = ends_line || next_x == last_x ? '0 : tile + TW'(here_x[1]);
+  logic ended;
+  logic [TW-1:0] ended_tile;
   always_ff @(posedge clk) begin
-    if (step && tile_ends) band[tile] <= tile_now;
-    if (step) band_before <= band[next_x[XW-1:2]];
+    if (step && ended) band[ended_tile] <= tile_so_far;
+    if (step) band_read <= band[tile_ahead];
+    if (step) band_before <= band_read;
   end
 
   // A tile that is complete, then it and its neighbours left and right.
@@ -132,6 +137,8 @@ module tile_threshold #(
       y <= ends_line ? here_y + 1'b1 : here_y;
       ring_at <= ring_next;
       tile_so_far <= tile_now;
+      ended <= tile_ends;
+      ended_tile <= tile;
 
       done <= tile_ends && here_y[1:0] == 2'd3;
       if (tile_ends) begin
