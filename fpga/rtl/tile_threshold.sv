@@ -96,9 +96,9 @@ module tile_threshold #(
   logic [31:0] above[0:TILES-1];
   logic [31:0] above_range;
   wire [15:0] one_above = above_range[15:0];
-  logic leveled;
-  logic [15:0] level_range;
-  logic [TW-1:0] level_tile;
+  logic merged, leveled;
+  logic [15:0] merged_range, two_above, level_range;
+  logic [TW-1:0] merged_tile, level_tile;
   logic [15:0] levels[0:TILES-1];
   logic [15:0] level_1;
   always_ff @(posedge clk) begin
@@ -159,9 +159,13 @@ module tile_threshold #(
       spread_range <= done_real ? both(both(left, rest ? NOTHING : done_range), far_left) : NOTHING;
       spread_first <= done_first;
 
-      leveled <= spread && !fresh;
-      level_tile <= spread_tile;
-      level_range <= both(both(spread_range, one_above), above_range[31:16]);
+      merged <= spread && !fresh;
+      merged_tile <= spread_tile;
+      merged_range <= both(spread_range, one_above);
+      two_above <= above_range[31:16];
+      leveled <= merged && !fresh;
+      level_tile <= merged_tile;
+      level_range <= both(merged_range, two_above);
 
       ranged <= done && done_real && !fresh;
       range <= done_range[15:8] - done_range[7:0];
@@ -191,18 +195,19 @@ module tile_threshold #(
     if (reset) begin
       filling <= 1'b0;
       flushing <= 1'b0;
-        out_valid <= 1'b0;
+      out_valid <= 1'b0;
+      out_sof <= 1'b0;  // so that it is no shift register's end, which is slow
       valid_1 <= 1'b0;
       valid_2 <= 1'b0;
       valid_3 <= 1'b0;
       done <= 1'b0;
       rest <= 1'b0;
       spread <= 1'b0;
+      merged <= 1'b0;
       leveled <= 1'b0;
       ranged <= 1'b0;
     end
   end
-
 
   wire unused = &{1'b0, nine_quartiles[7:0]};
 endmodule
