@@ -79,15 +79,16 @@ module cell_light (
   wire border = column == '0 || row == '0 || column == last_cell || row == last_cell;
   logic leveled, leveled_border, written_border;
   logic signed [15:0] kept;
+  logic [6:0] kept_at;
   logic [3:0] white_border;
   logic [2:0] count;
+  logic [6:0] beside;  // what is read next, from the cell
   always_comb begin
     case (count)
-      3'd1: read_at = at - 1'b1;
-      3'd2: read_at = at + 1'b1;
-      3'd3: read_at = at - {3'b0, width};
-      3'd4: read_at = at + {3'b0, width};
-      default: read_at = at;
+      3'd0: beside = 7'h7f;
+      3'd1: beside = 7'd1;
+      3'd2: beside = -{3'b0, width};
+      default: beside = {3'b0, width};
     endcase
   end
   logic sized;
@@ -129,6 +130,7 @@ module cell_light (
     failed <= 1'b0;
     adding <= {adding[1:0], 1'b0};
     count <= '0;
+    read_at <= state == SHARP ? at + beside : at;
     leveled <= 1'b0;
     sized <= 1'b0;
     if (sized) clearance <= clearance + (size < wide_contrast ? size : wide_contrast);
@@ -185,14 +187,14 @@ module cell_light (
         leveled_border <= border;
         column <= column == last_cell ? '0 : column + 1'b1;
         if (column == last_cell) row <= row + 1'b1;
-        at <= at + 1'b1;
+        at <= column == last_cell && row == last_cell ? {3'b0, width} + 7'd1 : at + 1'b1;
         kept <= seen;
+        kept_at <= at;
         state <= column == last_cell && row == last_cell ? LEVEL_5 : LEVEL_1;
       end
       LEVEL_5: begin
         column <= 4'd1;
         row <= 4'd1;
-        at <= {3'b0, width} + 7'd1;
         clearance <= '0;
         state <= SHARP;
       end
@@ -205,12 +207,14 @@ module cell_light (
           state <= SAMPLES;
         end
       end
-      SHARP_IN: state <= SHARPENED;
+      SHARP_IN: begin
+        at <= column == last_inside ? at + 7'd3 : at + 7'd1;
+        state <= SHARPENED;
+      end
       SHARPENED: begin
         size <= product[19:0] ^ {20{product[19]}};
         sized <= 1'b1;
         column <= column == last_inside ? 4'd1 : column + 1'b1;
-        at <= column == last_inside ? at + 7'd3 : at + 7'd1;
         if (column == last_inside) row <= row + 1'b1;
         state <= column == last_inside && row == last_inside ? SCALE_1 : SHARP;
       end
@@ -233,7 +237,7 @@ module cell_light (
 
     if (leveled) begin
       write <= 1'b1;
-      write_at <= at - 1'b1;
+      write_at <= kept_at;
       written <= kept - $signed(product[23:8]);
     end
     // The moments take turns; so does the plane.

@@ -50,8 +50,9 @@ module quad_side #(
     input  logic        [  17:0] quotient,
     input  logic signed [  17:0] result
 );
-  localparam MOM = 2 * XW + 2 * YW + 4;  // of a sum by place and three times the distance
-  localparam RW2 = 3 * XW + 3;           // of three lengths multiplied
+  localparam SHORTEST = 2 * XW + 2 * YW + 4;
+  localparam MOM = SHORTEST > DW ? SHORTEST : DW;  // of a sum by place and three times the distance
+  localparam RW2 = 3 * XW + 3;                     // of three lengths multiplied
   localparam [3:0] REST = 4'd0, SET_2 = 4'd1, SET_3 = 4'd2, DRAIN = 4'd3, SQUARE = 4'd4, SQUARE_IN = 4'd5, CUBE = 4'd6,
       SPREAD = 4'd7, SPREAD_IN = 4'd8, MOMENT = 4'd9, SLOPE = 4'd10, MEAN = 4'd11, MEAN_IN = 4'd12, OFF = 4'd13;
   logic [3:0] state;

@@ -72,13 +72,15 @@ module tile_threshold #(
   wire [15:0] tile_before = !tile_begins ? tile_so_far : here_y[1:0] == 2'd0 ? NOTHING : band_before;
   wire [15:0] tile_now = flushing ? tile_before : both(tile_before, {in_grey, in_grey});
   // Read two pixels ahead, written one behind.
-  wire [TW-1:0] tile_ahead = ends_line || next_x == last_x ? '0 : tile + TW'(here_x[1]);
+  logic [XW-1:0] last_but_one;  // stays all the frame
+  wire [TW-1:0] tile_ahead = ends_line || here_x == last_but_one ? '0 : tile + TW'(here_x[1]);
   logic ended;
   logic [TW-1:0] ended_tile;
   always_ff @(posedge clk) begin
     if (step && ended) band[ended_tile] <= tile_so_far;
     if (step) band_read <= band[tile_ahead];
     if (step) band_before <= band_read;
+    last_but_one <= last_x - 1'b1;
   end
 
   // A tile that is complete, then it and its neighbours left and right.
@@ -196,7 +198,6 @@ module tile_threshold #(
       filling <= 1'b0;
       flushing <= 1'b0;
       out_valid <= 1'b0;
-      out_sof <= 1'b0;  // so that it is no shift register's end, which is slow
       valid_1 <= 1'b0;
       valid_2 <= 1'b0;
       valid_3 <= 1'b0;
