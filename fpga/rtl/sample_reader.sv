@@ -35,17 +35,15 @@ module sample_reader #(
   logic reading, weighing;
   logic [1:0] asked;
   logic [2:0] answered;
-  logic [XW+3:0] x;
-  logic [YW+3:0] y;
   assign idle = !reading && !weighing;
   assign take = held && idle;
-  wire [XW-1:0] pixel_x = x[XW+3:4];
-  wire [YW-1:0] pixel_y = y[YW+3:4];
+  logic [XW-1:0] pixel_x;
+  logic [YW-1:0] pixel_y;
   assign read_valid = reading;
   assign read_x = asked[0] && pixel_x != last_x ? pixel_x + 1'b1 : pixel_x;
   assign read_y = asked[1] && pixel_y != last_row ? pixel_y + 1'b1 : pixel_y;
-  wire [4:0] share_x = answered[0] ? {1'b0, x[3:0]} : 5'd16 - {1'b0, x[3:0]};
-  wire [4:0] share_y = answered[1] ? {1'b0, y[3:0]} : 5'd16 - {1'b0, y[3:0]};
+  // Of the pixel that is answered next and of its neighbour, across and down: they take turns.
+  logic [4:0] share_x, other_x, share_y, other_y;
   logic [8:0] pixel_share;
   logic [7:0] pixel_grey;
   logic [16:0] pixel_part;
@@ -56,13 +54,15 @@ module sample_reader #(
 
   always_ff @(posedge clk) begin
     if (take) begin
-      x <= held_x;
-      y <= held_y;
+      pixel_x <= held_x[XW+3:4];
+      pixel_y <= held_y[YW+3:4];
       sample_column <= held_column;
       sample_row <= held_row;
       sample_last <= held_last;
       reading <= 1'b1;
       weighing <= 1'b1;
+      {share_x, other_x} <= {5'd16 - {1'b0, held_x[3:0]}, 1'b0, held_x[3:0]};
+      {share_y, other_y} <= {5'd16 - {1'b0, held_y[3:0]}, 1'b0, held_y[3:0]};
       asked <= '0;
       answered <= '0;
       total <= '0;
@@ -72,6 +72,8 @@ module sample_reader #(
         if (asked == 2'd3) reading <= 1'b0;
       end
       if (grey_valid) answered <= answered + 1'b1;
+      if (grey_valid) {share_x, other_x} <= {other_x, share_x};
+      if (grey_valid && answered[0]) {share_y, other_y} <= {other_y, share_y};
       if (part_2) total <= total + pixel_part;
     end
     pixel_share <= share_x * share_y;
