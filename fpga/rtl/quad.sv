@@ -91,42 +91,21 @@ module quad #(
   wire [VW-1:0] sum_size = sum_size_1[VW:1];
   logic corners_sum, side_sum;
 
-  // The divider: the dividend is complemented when it is negative, and so is the quotient: it is rounded down.
-  logic side_divide, meet_divide, divide, busy, negative, opposite, side_opposite, meet_opposite;
-  logic signed [DW-1:0] side_dividend, meet_dividend, dividend;
-  logic [DW-1:0] side_divisor, meet_divisor, divisor;
-  logic [4:0] side_steps, meet_steps, steps;
+  logic side_divide, meet_divide, dividing, side_opposite, meet_opposite;
+  logic signed [DW-1:0] side_dividend, meet_dividend;
+  logic [DW-1:0] side_divisor, meet_divisor;
+  logic [4:0] side_steps, meet_steps;
   logic [17:0] quotient;
-  wire dividing = divide || busy;
-  wire signed [17:0] result = $signed(quotient ^ {18{negative != opposite}});
-  wire [DW-1:0] new_dividend = side_dividend | meet_dividend;
-  always_ff @(posedge clk) begin
-    divide <= side_divide || meet_divide;
-    if (side_divide || meet_divide) begin
-      negative <= new_dividend[DW-1];
-      opposite <= side_opposite || meet_opposite;
-      dividend <= new_dividend ^ {DW{new_dividend[DW-1]}};
-      divisor <= side_divisor | meet_divisor;
-      steps <= side_steps | meet_steps;
-    end
-  end
+  logic signed [17:0] result;
   divider #(.W(DW), .QW(18)) divider_i (
-      .clk(clk), .reset(reset), .start(divide), .dividend(dividend), .ones(negative), .divisor(divisor),
-      .steps(steps), .busy(busy), .quotient(quotient));
+      .clk(clk), .reset(reset), .start(side_divide || meet_divide), .dividend(side_dividend | meet_dividend),
+      .divisor(side_divisor | meet_divisor), .steps(side_steps | meet_steps),
+      .opposite(side_opposite || meet_opposite), .busy(dividing), .quotient(quotient), .result(result));
 
-  // The first walk: area and extremes.
-  logic extremes_busy, extremes_settled;
+  // The first walk: area and extremes, and from them the rough corners.
+  logic run_busy, settled;
   logic [AW:0] area;
   wire fits = area >= {1'b0, min_area} && area <= {1'b0, max_area};
-  logic [3:0] point_at;
-  logic [XW-1:0] point_x;
-  logic [YW-1:0] point_y;
-  logic [NW-1:0] point_number;
-  chain_extremes #(.XW(XW), .YW(YW), .NW(NW)) extremes (
-      .clk(clk), .reset(reset), .run(state == VERTICES && !extremes_busy), .busy(extremes_busy),
-      .settled(extremes_settled), .run_from(at_x), .run_to(to_x), .run_y(to_y), .run_number(number),
-      .at(point_at), .x(point_x), .y(point_y), .number(point_number));
-
   logic corners_done, corners_failed, meet_advance, across;
   logic [XW-1:0] from_x, side_to_x;
   logic [YW-1:0] from_y, side_to_y;
@@ -135,9 +114,9 @@ module quad #(
   logic [CW-1:0] length;
   logic [XW+3:0] perimeter;
   quad_corners #(.XW(XW), .YW(YW), .NW(NW), .AW(AW), .MW(MW)) corners (
-      .clk(clk), .reset(reset), .start(state == LIMITS && fits), .advance(state == NEXT_SIDE || meet_advance), .hole(hole),
-      .min_side(min_side), .area(area), .done(corners_done), .failed(corners_failed),
-      .at(point_at), .point_x(point_x), .point_y(point_y), .point_number(point_number),
+      .clk(clk), .reset(reset), .run(state == VERTICES && !run_busy), .run_from(at_x), .run_to(to_x), .run_y(to_y),
+      .run_number(number), .run_busy(run_busy), .settled(settled), .start(state == LIMITS && fits),
+      .advance(state == NEXT_SIDE || meet_advance), .hole(hole), .min_side(min_side), .area(area), .done(corners_done), .failed(corners_failed),
       .from_x(from_x), .from_y(from_y), .from_number(from_number),
       .to_x(side_to_x), .to_y(side_to_y), .to_number(to_number),
       .side_x(side_x), .side_y(side_y), .across(across), .length(length), .perimeter(perimeter),
@@ -207,7 +186,7 @@ module quad #(
         next_record <= walk_next;
         state <= second_walk ? UPRIGHT : VERTICES;
       end
-      VERTICES: if (!extremes_busy) begin
+      VERTICES: if (!run_busy) begin
         number <= number + NW'(2);
         state <= PRODUCT;
       end
@@ -220,7 +199,7 @@ module quad #(
       end
       AREA: begin
         area <= sum_size[AW:0];
-        if (extremes_settled) state <= LIMITS;
+        if (settled) state <= LIMITS;
       end
       LIMITS: begin
         number <= '0;

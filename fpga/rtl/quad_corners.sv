@@ -12,6 +12,13 @@ module quad_corners #(
 ) (
     input  logic                 clk,
     input  logic                 reset,
+    input  logic                 run,          // of cracks, while not busy: the chain's in their order
+    input  logic        [XW-1:0] run_from,
+    input  logic        [XW-1:0] run_to,
+    input  logic        [YW-1:0] run_y,
+    input  logic        [NW-1:0] run_number,   // of its first vertex
+    output logic                 run_busy,
+    output logic                 settled,      // all runs are in
     input  logic                 start,
     input  logic                 advance,      // on to the next side
     input  logic                 hole,         // is followed the other way round
@@ -19,11 +26,6 @@ module quad_corners #(
     input  logic        [  AW:0] area,
     output logic                 done,
     output logic                 failed,
-
-    output logic        [   3:0] at,           // of the extreme vertices; they come a clock later
-    input  logic        [XW-1:0] point_x,
-    input  logic        [YW-1:0] point_y,
-    input  logic        [NW-1:0] point_number,
 
     output logic        [XW-1:0] from_x,
     output logic        [YW-1:0] from_y,
@@ -57,6 +59,13 @@ module quad_corners #(
   wire distances = scan < 3'd2;
   wire crosswise = scan[0];  // of the line scans: from b to d
   wire [3:0] base = scan == '0 ? 4'd0 : crosswise && !distances ? order[1] : order[0];
+  logic [3:0] at;  // which extreme vertex is read; it comes a clock later
+  logic [XW-1:0] point_x;
+  logic [YW-1:0] point_y;
+  logic [NW-1:0] point_number;
+  chain_extremes #(.XW(XW), .YW(YW), .NW(NW)) extremes (
+      .clk(clk), .reset(reset), .run(run), .busy(run_busy), .settled(settled), .run_from(run_from), .run_to(run_to),
+      .run_y(run_y), .run_number(run_number), .at(at), .x(point_x), .y(point_y), .number(point_number));
   always_comb begin
     case (state)
       AT_BASE: at = base;
