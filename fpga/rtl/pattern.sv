@@ -1,7 +1,7 @@
 // The paper's pattern core: an 8x8 grid built on the first edge of a quad (src/pattern/square_grid.h), the
 // pixel in the middle of each cell, and a search for the 36 inner cells in a dictionary at four rotations. The 28
 // cells round them must be black; those that are not count as wrong bits. Quads that are too small, too large or
-// not convex are put aside, by cross products with one serial multiplier, while the pixels are being read.
+// not convex are put aside while the pixels are being read.
 module pattern #(
     parameter XW = 10,
     parameter YW = 9,
@@ -62,33 +62,12 @@ module pattern #(
   assign marker_x = {x[3], x[2], x[1], x[0]};
   assign marker_y = {y[3], y[2], y[1], y[0]};
 
-  function automatic signed [W-1:0] minus_x(input [XW-1:0] p, input [XW-1:0] q);
-    minus_x = $signed({{(W - XW) {1'b0}}, p}) - $signed({{(W - XW) {1'b0}}, q});
-  endfunction
-  function automatic signed [W-1:0] minus_y(input [YW-1:0] p, input [YW-1:0] q);
-    minus_y = $signed({{(W - YW) {1'b0}}, p}) - $signed({{(W - YW) {1'b0}}, q});
-  endfunction
-
-  // The shape: four cross products of neighbouring sides, the corners turning once round, then the area.
-  logic shape_busy, shape_good;
-  logic side_done, area_done;  // its product stands there
-  logic [2:0] shape_step;
-  logic second_factor;
-  logic [$clog2(W + 1)-1:0] shape_bit;
-  logic signed [2*W:0] product, factor;
-  logic [W-1:0] multiplier;
-  wire area_step = shape_step[2];
-  wire signed [W-1:0] factor_1 = second_factor ? minus_y(area_step ? y[2] : y[1], y[0]) : minus_x(area_step ? x[2] : x[1], x[0]);
-  wire signed [W-1:0] factor_2 = second_factor ? (area_step ? minus_x(x[3], x[1]) : minus_x(x[2], x[0]))
-                                               : (area_step ? minus_y(y[3], y[1]) : minus_y(y[2], y[0]));
-  wire shape_load = shape_bit == '0;
-  wire shape_sum = shape_bit == ($clog2(W + 1))'(W);
-  wire shape_last = shape_sum && second_factor;
-  // Two's complement: the top bit of the multiplier weighs negative.
-  wire subtract = second_factor != shape_sum;
-  wire signed [2*W:0] added = multiplier[0] ? factor : '0;
-  wire signed [2*W:0] new_product = subtract ? product - added : product + added;
-  wire shape_turn = shape_busy && shape_last && !area_step;
+  // The corners turn once round while their shape is looked at.
+  logic shape_busy, shape_good, shape_turn;
+  quad_shape #(.XW(XW), .YW(YW)) shape (
+      .clk(clk), .reset(reset), .clear(state == IDLE), .start(state == IDLE && quad_valid && !quad_end),
+      .min_area(min_area), .max_area(max_area), .corners_x(marker_x), .corners_y(marker_y), .turn(shape_turn),
+      .busy(shape_busy), .good(shape_good));
 
   // The grid.
   logic signed [W-1:0] u_x, u_y;
@@ -166,36 +145,18 @@ module pattern #(
       marker_bottom <= quad_bottom;
       marker_hole <= quad_hole;
       marker_end <= quad_end;
-      shape_step <= '0;
-      shape_bit <= '0;
-      second_factor <= 1'b0;
-      shape_good <= 1'b1;
-    end else if (shape_busy) begin
-      multiplier <= shape_load ? factor_2 : {1'b0, multiplier[W-1:1]};
-      factor <= shape_load ? (2 * W + 1)'(factor_1) : factor <<< 1;
-      if (shape_load) product <= second_factor ? product : '0;
-      else product <= new_product;
-      shape_bit <= shape_sum ? '0 : shape_bit + 1'b1;
-      if (shape_sum) second_factor <= !second_factor;
-      if (shape_last) shape_step <= shape_step + 1'b1;
     end
-    side_done <= shape_busy && shape_last && !area_step;
-    area_done <= shape_busy && shape_last && area_step;
-    if (side_done && (product[2*W] || product == '0)) shape_good <= 1'b0;
-    if (area_done && (product[2*W] || product[XW+YW+1:0] < min_area || product[XW+YW+1:0] > max_area))
-      shape_good <= 1'b0;
-    shape_busy <= (shape_busy && !(shape_last && area_step)) || (state == IDLE && quad_valid && !quad_end);
 
     case (state)
       IDLE: if (quad_valid) state <= quad_end ? EMIT : SET;
       SET: begin
         // Cell (0, 0): 16 a + u + v, with v = (-u_y, u_x).
-        u_x <= minus_x(x[1], x[0]);
-        u_y <= minus_y(y[1], y[0]);
+        u_x <= $signed(W'(x[1])) - $signed(W'(x[0]));
+        u_y <= $signed(W'(y[1])) - $signed(W'(y[0]));
         state <= READ;
       end
       READ: state <= WAIT;
-      WAIT: if (answered == asked && !reading && !shape_busy && !area_done)
+      WAIT: if (answered == asked && !reading && !shape_busy)
         state <= missed || !shape_good || border_bad ? IDLE : MATCH;
       MATCH: begin
         if (hit) state <= EMIT;
@@ -267,10 +228,8 @@ module pattern #(
 
     if (reset) begin
       state <= IDLE;
-      shape_busy <= 1'b0;
       reading <= 1'b0;
       searching <= '0;
     end
   end
-
 endmodule
