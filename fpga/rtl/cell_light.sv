@@ -243,7 +243,8 @@ module cell_light (
     // The moments take turns; so does the plane.
     if (adding[1] || adding[2]) {plane, other_plane} <= {other_plane, plane + FW'(product)};
     if (state == ACROSS_IN || state == DOWN_IN) {plane, other_plane} <= {other_plane, FW'(product >>> 16)};
-    if (state == ACROSS || state == DOWN || state == LEVEL_2 || state == LEVEL_3) {plane, other_plane} <= {other_plane, plane};
+    if (state == ACROSS || state == DOWN || state == LEVEL_2 || state == LEVEL_3)
+      {plane, other_plane} <= {other_plane, plane};
     if (clear) begin
       at <= '0;
       white_sum <= '0;

@@ -52,7 +52,8 @@ module quad #(
   localparam DW = 3 * XW + 5 > 36 ? 3 * XW + 5 : 36;
 
   localparam [4:0] IDLE = 5'd0, TAIL = 5'd1, TAIL_IN = 5'd2, READ = 5'd3, RECORD_IN = 5'd4, VERTICES = 5'd5,
-      PRODUCT = 5'd6, AREA_ADD = 5'd7, AREA = 5'd8, LIMITS = 5'd9, CORNERS = 5'd10, UPRIGHT = 5'd11, UPRIGHT_END = 5'd12,
+      PRODUCT = 5'd6, AREA_ADD = 5'd7, AREA = 5'd8, LIMITS = 5'd9, CORNERS = 5'd10, UPRIGHT = 5'd11,
+      UPRIGHT_END = 5'd12,
       LEVEL = 5'd13, LEVEL_END = 5'd14, SOLVE = 5'd15, NEXT_SIDE = 5'd16, SIDE_IN = 5'd17, LENGTH_IN = 5'd18,
       SET_UP = 5'd19, SET_UP_IN = 5'd20, MEET = 5'd21, RELEASE = 5'd22, EMIT = 5'd23;
   logic [4:0] state;
@@ -116,7 +117,8 @@ module quad #(
   quad_corners #(.XW(XW), .YW(YW), .NW(NW), .AW(AW), .MW(MW)) corners (
       .clk(clk), .reset(reset), .run(state == VERTICES && !run_busy), .run_from(at_x), .run_to(to_x), .run_y(to_y),
       .run_number(number), .run_busy(run_busy), .settled(settled), .start(state == LIMITS && fits),
-      .advance(state == NEXT_SIDE || meet_advance), .hole(hole), .min_side(min_side), .area(area), .done(corners_done), .failed(corners_failed),
+      .advance(state == NEXT_SIDE || meet_advance), .hole(hole), .min_side(min_side), .area(area),
+      .done(corners_done), .failed(corners_failed),
       .from_x(from_x), .from_y(from_y), .from_number(from_number),
       .to_x(side_to_x), .to_y(side_to_y), .to_number(to_number),
       .side_x(side_x), .side_y(side_y), .across(across), .length(length), .perimeter(perimeter),

@@ -1,5 +1,5 @@
-// The line of one side of a quadrilateral (src/corner/side_fit.h is its definition). Runs of cracks come in, at most one
-// in six clocks, and are added up in the background; then the line is solved for.
+// The line of one side of a quadrilateral (src/corner/side_fit.h is its definition). Runs of cracks come in, at most
+// one in six clocks, and are added up in the background; then the line is solved for.
 module quad_side #(
     parameter XW = 10,
     parameter YW = 9,
