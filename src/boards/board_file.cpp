@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "camera/one_line.h"
+#include "files/read_text.h"
 #include "runmark/pose.h"
 
 namespace runmark {
@@ -218,10 +218,9 @@ Result<Board> parse_board(std::string_view text) {
 Result<Board> load_board(const std::string& description_or_path) {
   try {
     if (!description_or_path.ends_with(".json")) return described(description_or_path);
-    std::ifstream file(description_or_path, std::ios::binary);
-    std::stringstream text;
-    if (!file || !(text << file.rdbuf())) return Error{description_or_path + ": cannot be read"};
-    Result<Board> board = parse_board(text.str());
+    const auto text = read_text(description_or_path, 8);
+    if (!text) return Error{text.error()};
+    Result<Board> board = parse_board(*text);
     if (!board) return Error{description_or_path + ": " + board.error()};
     return board;
   } catch (const std::exception& error) {

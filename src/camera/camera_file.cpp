@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <initializer_list>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "camera/one_line.h"
+#include "files/read_text.h"
 
 namespace runmark {
 namespace {
@@ -208,10 +207,9 @@ Result<Camera> parse_camera(std::string_view text) {
 }
 
 Result<Camera> read_camera(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf())) return Error{path + ": cannot be read"};
-  Result<Camera> camera = parse_camera(text.str());
+  const auto text = read_text(path, 1);
+  if (!text) return Error{text.error()};
+  Result<Camera> camera = parse_camera(*text);
   if (!camera) return Error{path + ": " + camera.error()};
   return camera;
 }

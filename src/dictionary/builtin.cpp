@@ -2,12 +2,12 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <utility>
 
 #include "dictionary/code_distance.h"
 #include "dictionary/edit_distance.h"
+#include "files/read_text.h"
 #include "runmark/dictionary.h"
 
 namespace runmark {
@@ -78,18 +78,6 @@ bool same_letters(std::string_view a, std::string_view b) {
       a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
-Result<std::string> file_text(const std::string& path) {
-  constexpr std::size_t largest = 8U << 20U;  // five times what 65,536 codes take
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path + ": cannot open"};
-  std::string text(largest, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(largest));
-  if (file.bad() || file.gcount() == 0) return Error{path + ": empty or not a readable file"};
-  if (!file.eof()) return Error{path + ": larger than 8 MB, which no .codes file needs to be"};
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
 }  // namespace
 
 std::span<const std::string_view> dictionary_names() { return names; }
@@ -114,7 +102,7 @@ Result<Dictionary> builtin_dictionary(std::string_view name) {
 Result<Dictionary> load_dictionary(const std::string& name_or_path) {
   constexpr std::string_view ending = ".codes";
   if (!name_or_path.ends_with(ending)) return builtin_dictionary(name_or_path);
-  auto text = file_text(name_or_path);
+  auto text = read_text(name_or_path, 8);  // five times what 65,536 codes take
   if (!text) return Error{text.error()};
   auto dictionary = parse_codes(*text, name_or_path);  // errors say which file
   if (!dictionary) return dictionary;

@@ -1,6 +1,8 @@
 #include "evaluate/observations.h"
 
 #include <fstream>
+#include <string_view>
+#include <vector>
 
 #include "evaluate/json_fields.h"
 
@@ -17,9 +19,12 @@ Result<Observations> read_observations(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) return Error{file.string() + ": cannot be read"};
   Observations all;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+  // Room for thousands of markers; what is no such file must not fill the memory.
+  std::vector<char> buffer(std::size_t{1} << 24U);
+  int number = 1;
+  for (; stream.getline(buffer.data(), static_cast<std::streamsize>(buffer.size())); ++number) {
+    const std::string_view line(buffer.data());
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     const std::string where = file.string() + ":" + std::to_string(number) + ": ";
     try {
       const json object = json::parse(line);
@@ -40,6 +45,8 @@ Result<Observations> read_observations(const std::filesystem::path& file) {
       return Error{where + e.what()};
     }
   }
+  if (!stream.eof() && !stream.bad())
+    return Error{file.string() + ":" + std::to_string(number) + ": longer than a frame's"};
   if (stream.bad()) return Error{file.string() + ": cannot be read to its end"};
   return all;
 }

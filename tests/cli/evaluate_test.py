@@ -52,6 +52,7 @@ class Evaluate(CommandTest):
         self.expect_error(self.run_program("evaluate", "/nowhere.json"), "/nowhere.json: cannot be read")
         bad = pathlib.Path(self.path("bad.jsonl"))
         bad.write_text('{"image": "a"}\n')
+        self.expect_error(self.run_program("evaluate", self.truth, "--detections", "/dev/zero"), "/dev/zero:1: longer")
         self.expect_error(self.run_program("evaluate", self.truth, "--detections", bad), 'bad.jsonl:1: no "markers"')
         bad.write_text('{"image": "a", "markers": []}\n')
         self.expect_error(self.run_program("evaluate", self.truth, "--detections", bad),

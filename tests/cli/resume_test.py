@@ -212,7 +212,13 @@ class Refused(ResumeTest):
     def test_what_is_no_file(self):
         for path in ("/dev/null", "/dev/full", str(self.folder)):
             result = self.run_program("detect", "--resume", path, self.inputs)
-            self.expect_error(result, path)
+            self.expect_error(result, path, "not a file")
+
+    def test_a_line_without_an_end(self):
+        """What is no output of ours is refused without reading all of it into memory."""
+        with open(self.out, "wb") as file:
+            file.truncate(1 << 32)
+        self.expect_error(self.resume(), str(self.out), "line 1", "longer")
 
     def test_a_file_another_run_writes_into(self):
         page = scene.one_marker()

@@ -109,6 +109,7 @@ TEST(CameraFile, TellsWhatIsWrong) {
   EXPECT_NE(error("K: [1, 0, 2, 0, 1, 2, 0, 0, 1]\nD: [1, 1, 1, 1, 1, 1]\ndistortion_model: plumb_bob")
                 .find("6 distortion coefficients, but its model has 5"),
             std::string::npos);
+  EXPECT_EQ(read_camera("/dev/zero").error(), "/dev/zero: larger than 1 MB, which no such file needs to be");
   EXPECT_NE(read_camera("/nowhere.yml").error().find("/nowhere.yml: cannot be read"), std::string::npos);
 }
 

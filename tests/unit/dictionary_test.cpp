@@ -277,7 +277,7 @@ TEST(LoadDictionary, ReadsAFileAndNamesItByItsStem) {
   EXPECT_EQ(load_dictionary(path.string()).error(),
             path.string() + ", line 2: 'spam' is not a code of up to 16 hexadecimal digits");
   std::filesystem::remove(path);
-  EXPECT_EQ(load_dictionary(path.string()).error(), path.string() + ": cannot open");
+  EXPECT_EQ(load_dictionary(path.string()).error(), path.string() + ": cannot be read");
   EXPECT_EQ(load_dictionary("DICT_4X4_50")->codes.size(), 50U);
 }
 
@@ -285,6 +285,15 @@ TEST(LoadDictionary, RefusesAFolder) {
   const auto path = std::filesystem::temp_directory_path() / "runmark_folder.codes";
   std::filesystem::create_directory(path);
   EXPECT_EQ(load_dictionary(path.string()).error(), path.string() + ": empty or not a readable file");
+  std::filesystem::remove(path);
+}
+
+TEST(LoadDictionary, RefusesWhatHasNoEnd) {
+  const auto path = std::filesystem::temp_directory_path() / "runmark_endless.codes";
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink("/dev/zero", path);
+  EXPECT_EQ(load_dictionary(path.string()).error(),
+            path.string() + ": larger than 8 MB, which no such file needs to be");
   std::filesystem::remove(path);
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "errors.h"
 
@@ -14,6 +15,9 @@ namespace runmark::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Bytes; thousands of markers fit in it.
+constexpr std::streamsize longest_line = 1 << 24;
 
 /// A name as it reads in the lines: JSON is UTF-8, file names need not be.
 std::string as_written(const std::string& name) {
@@ -28,7 +32,7 @@ class LineReader {
   }
 
   /// What is wrong with the line, or nothing.
-  std::string take(const std::string& line) {
+  std::string take(std::string_view line) {
     const Json json = Json::parse(line, nullptr, false);
     const auto source = json.find("source");
     const auto frame = json.find("frame");
@@ -87,18 +91,24 @@ EarlierRun read_earlier_run(const std::string& path, const std::vector<Input>& i
   }
   EarlierRun earlier{0, std::vector<EarlierFrames>(inputs.size())};
   if (!std::filesystem::exists(path)) return earlier;
+  if (!std::filesystem::is_regular_file(path))
+    throw UserError(path + ": not a file; no run can go on with it");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   LineReader reader(inputs);
-  std::string line;
+  std::vector<char> line(longest_line);
+  int number = 1;
+  const auto refuse = [&](const std::string& wrong) {
+    throw UserError(path + ": line " + std::to_string(number) + ": " + wrong +
+                    "; this run cannot go on with it");
+  };
   // A line without its end was being written when the run was stopped.
-  for (int number = 1; std::getline(file, line) && !file.eof(); ++number) {
-    if (const std::string wrong = reader.take(line); !wrong.empty()) {
-      throw UserError(path + ": line " + std::to_string(number) + ": " + wrong +
-                      "; this run cannot go on with it");
-    }
-    earlier.bytes += line.size() + 1;
+  for (; file.getline(line.data(), longest_line) && !file.eof(); ++number) {
+    const auto bytes = static_cast<std::size_t>(file.gcount());
+    if (const std::string wrong = reader.take({line.data(), bytes - 1}); !wrong.empty()) refuse(wrong);
+    earlier.bytes += bytes;
   }
+  if (file.gcount() == longest_line - 1) refuse("longer than a frame's");
   if (file.bad() || !file.eof()) throw UserError(path + ": " + std::strerror(errno != 0 ? errno : EIO));
   earlier.inputs = reader.frames();
   return earlier;
