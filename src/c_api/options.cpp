@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "c_api/number.h"
+
 namespace runmark::c_api {
 namespace {
 
@@ -19,13 +21,15 @@ Result<Options> to_options(const runmark_options& c) {
   const auto unknown = [](const char* name, unsigned value) {
     return Error{std::string(name) + " " + std::to_string(value) + ": there is none of that number"};
   };
-  if (c.pipeline >= pipelines.size()) return unknown("pipeline", c.pipeline);
-  if (c.connectivity >= connectivities.size()) return unknown("connectivity", c.connectivity);
+  const unsigned pipeline = number(c.pipeline);
+  const unsigned connectivity = number(c.connectivity);
+  if (pipeline >= pipelines.size()) return unknown("pipeline", pipeline);
+  if (connectivity >= connectivities.size()) return unknown("connectivity", connectivity);
   if (c.filter < 0 || c.filter > filter_standard) {
     return Error{"filter " + std::to_string(c.filter) + ": must be 0 to 63, or RUNMARK_FILTER_DEFAULT"};
   }
   Options o;
-  o.pipeline = pipelines[c.pipeline];
+  o.pipeline = pipelines[pipeline];
   o.max_width = c.max_width;
   o.max_height = c.max_height;
   o.region = {c.region[0], c.region[1], c.region[2], c.region[3]};
@@ -35,7 +39,7 @@ Result<Options> to_options(const runmark_options& c) {
   o.corrected_bits = c.corrected_bits;
   o.min_margin = c.min_margin;
   o.filter = static_cast<std::uint8_t>(c.filter);
-  o.connectivity = connectivities[c.connectivity];
+  o.connectivity = connectivities[connectivity];
   o.min_contrast = c.min_contrast;
   o.fixed_threshold = c.fixed_threshold;
   o.above_is_dark = c.above_is_dark != 0;

@@ -23,8 +23,9 @@ using namespace runmark::c_api;
 constexpr std::array lenses{Lens::plain, Lens::rational, Lens::fisheye};
 
 std::optional<Camera> to_camera(const runmark_camera& c) {
-  if (c.lens >= lenses.size()) return std::nullopt;
-  Camera camera{c.width, c.height, c.fx, c.fy, c.cx, c.cy, lenses[c.lens], {}};
+  const unsigned lens = number(c.lens);
+  if (lens >= lenses.size()) return std::nullopt;
+  Camera camera{c.width, c.height, c.fx, c.fy, c.cx, c.cy, lenses[lens], {}};
   std::copy_n(c.distortion, camera.distortion.size(), camera.distortion.begin());
   return camera;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "c_api/number.h"
 #include "runmark/runmark.h"
 
 std::uint32_t runmark_abi_version() { return RUNMARK_ABI_VERSION; }
@@ -9,7 +10,7 @@ std::uint32_t runmark_abi_version() { return RUNMARK_ABI_VERSION; }
 const char* runmark_version() { return RUNMARK_VERSION; }
 
 const char* runmark_describe(runmark_status status) {
-  switch (status) {
+  switch (runmark::c_api::number(status)) {
     case RUNMARK_OK:
       return "ok";
     case RUNMARK_BAD_ARGUMENT:
