@@ -22,7 +22,8 @@ ScaleRules scale_rules(const Options& options, int level, bool holes) {
   const double scale = std::ldexp(1.0, level);
   const double size = std::max(options.min_marker_size / scale, level == 0 ? 0.0 : coarse_size);
   ScaleRules rules;
-  rules.tiles = {options.min_contrast, level == 0 ? full_size_share : half_size_share};
+  rules.tiles = {options.min_contrast, level == 0 ? full_size_share : half_size_share,
+                 std::max(options.min_contrast * 2 / 5, 1)};
   rules.contours.filter_cases = or_own(options.filter, filter_none);
   rules.contours.connectivity = or_own(options.connectivity, Connectivity::four);
   rules.contours.chains.holes = holes;

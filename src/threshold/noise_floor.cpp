@@ -14,10 +14,9 @@ void NoiseFloor::add(const ThreeBands& bands, int tiles) {
   }
 }
 
-int NoiseFloor::contrast_limit(int minimum) const {
+int NoiseFloor::contrast() const {
   constexpr std::uint32_t least_sample = 64;
-  constexpr int highest_limit = 40;
-  if (seen_ < least_sample) return minimum;
+  if (seen_ < least_sample) return 0;
   std::uint32_t below = 0;
   int quartile = 0;
   while (below + counts_[static_cast<std::size_t>(quartile)] <= seen_ / 4) {
@@ -25,7 +24,7 @@ int NoiseFloor::contrast_limit(int minimum) const {
     ++quartile;
   }
   // Three quarters more than flat parts show: what is only noise seldom has it.
-  return std::clamp(quartile * 7 / 4, minimum, std::max(minimum, highest_limit));
+  return quartile * 7 / 4;
 }
 
 }  // namespace runmark

@@ -22,9 +22,8 @@ class NoiseFloor {
   /// tile.
   void add(const ThreeBands& bands, int tiles);
 
-  /// The contrast limit to use now: at least `minimum`, and what the noise asks for, up to a cap that
-  /// keeps dim markers on textured walls.
-  [[nodiscard]] int contrast_limit(int minimum) const;
+  /// The contrast that the noise asks for now; nothing while too little was seen.
+  [[nodiscard]] int contrast() const;
 
  private:
   static constexpr int tile_stride = 8;

@@ -41,7 +41,9 @@ void TileThreshold::find_levels() {
   // Above the first band there is nothing, so the band itself stands in.
   const ThreeBands bands{bands_ > 2 ? &spread_[0] : &spread_[1], &spread_[1], &spread_[2]};
   noise_.add(bands, tiles_);
-  const TileRule rule{noise_.contrast_limit(rule_.contrast), rule_.share};
+  constexpr int highest_limit = 40;  // keeps dim markers on textured walls
+  const int noise = std::min(noise_.contrast(), highest_limit);
+  const TileRule rule{std::max(rule_.contrast, noise), rule_.share, std::max(rule_.dim_contrast, noise)};
   fast::tile_levels(bands, tiles_, rule, levels_.data());
 }
 

@@ -16,7 +16,7 @@ class TileThreshold {
   /// Sets memory aside for rows of up to `max_width` pixels.
   explicit TileThreshold(int max_width);
 
-  /// The rule's contrast is the least; it rises with the noise of the rows already seen.
+  /// The rule's contrasts are the least; they rise with the noise of the rows already seen.
   void begin_frame(int width, const TileRule& rule);
 
   /// Takes the next band. Afterwards `levels` are those of the band before it.

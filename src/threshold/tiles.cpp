@@ -110,7 +110,8 @@ void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::
     const int rise = range * rule.share / 16;
     const int lack = std::max(low + range / 2 - mean, 0);
     const int fall = std::min({lack - lack / 4, range / 4 - range / 16, rise});
-    levels[tile] = static_cast<std::uint8_t>(range < rule.contrast ? 0 : low + rise - fall);
+    const int limit = std::min(std::max(low, rule.dim_contrast), rule.contrast);
+    levels[tile] = static_cast<std::uint8_t>(range < limit ? 0 : low + rise - fall);
   }
 }
 

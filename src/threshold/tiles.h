@@ -41,15 +41,17 @@ void spread_light(const TileLight& light, int tiles, TileLight& spread);
 
 /// How the levels of tiles are chosen.
 struct TileRule {
-  int contrast = 20;  ///< extremes that differ by less are all white
-  int share = 8;      ///< sixteenths of the way from the least to the greatest level, at most
+  int contrast = 20;     ///< extremes that differ by less are all white
+  int share = 8;         ///< sixteenths of the way from the least to the greatest level, at most
+  int dim_contrast = 8;  ///< the least contrast where white is twice as light as black
 };
 
 /// Three bands of tiles, spread already: above, the levels' own, below.
 using ThreeBands = std::array<const TileLight*, 3>;
 
 /// The grey level below which a pixel of each tile is dark, or 0 (all white) where the extremes of the 3x3
-/// tiles round it differ too little. Where most is dark, which their mean tells, it is lower, by three
+/// tiles round it differ by less than the rule's contrast. In the dark less is enough, since paper is still
+/// twice as light as ink. Where most is dark, which the tiles' mean tells, the level is lower, by three
 /// sixteenths of the way at most: thin white lines between dark shapes last.
 /// @param first  the tile to begin with
 void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels,

@@ -81,6 +81,7 @@ void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std:
   const Pairs pairs;
   const auto& [above, own, below] = bands;
   const auto contrast = hn::Set(d, static_cast<std::uint8_t>(rule.contrast));
+  const auto dim_contrast = hn::Set(d, static_cast<std::uint8_t>(rule.dim_contrast));
   const auto share = hn::Set(pairs, static_cast<std::uint16_t>(rule.share));
   const auto low_byte = hn::Set(pairs, std::uint16_t{0xFF});
   const int whole = whole_vectors(tiles);
@@ -101,7 +102,8 @@ void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std:
     const auto fall =
         hn::Min(hn::Min(hn::Sub(lack, Part<2>(lack)), hn::Sub(Part<2>(range), Part<4>(range))), rise);
     const auto level = hn::Sub(hn::Add(low, rise), fall);
-    hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, contrast), level), d, levels + t);
+    const auto limit = hn::Min(hn::Max(low, dim_contrast), contrast);
+    hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, limit), level), d, levels + t);
   }
   runmark::tile_levels(bands, tiles, rule, levels, static_cast<std::size_t>(whole));
 }

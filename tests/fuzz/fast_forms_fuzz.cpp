@@ -172,7 +172,8 @@ void run(FuzzedDataProvider& input) {
   const int step = input.ConsumeIntegralInRange(1, 5);
   const auto format = input.PickValueInArray({PixelFormat::grey, PixelFormat::rgb, PixelFormat::bgr});
   const auto cases = input.ConsumeIntegralInRange<std::uint8_t>(0, filter_all);
-  const TileRule rule{input.ConsumeIntegralInRange(1, 255), input.ConsumeIntegralInRange(1, 16)};
+  const TileRule rule{input.ConsumeIntegralInRange(1, 255), input.ConsumeIntegralInRange(1, 16),
+                      input.ConsumeIntegralInRange(1, 255)};
   const Options chosen = options(input, width, height);
   const auto codes = dictionaries(input, chosen.pipeline);
   Rows rows(input.ConsumeRemainingBytes<std::uint8_t>());

@@ -125,12 +125,14 @@ TEST_P(FastForms, TileLevels) {
       }
     }
     const ThreeBands bands{&light[0], &light[1], &light[2]};
-    for (const TileRule rule : {TileRule{20, 8}, TileRule{1, 16}, TileRule{255, 1}, TileRule{200, 9}}) {
+    for (const TileRule rule :
+         {TileRule{20, 8, 8}, TileRule{1, 16, 1}, TileRule{255, 1, 255}, TileRule{200, 9, 1}}) {
       Bytes levels(count);
       Bytes fast_levels(count);
       tile_levels(bands, tiles, rule, levels.data());
       fast::tile_levels(bands, tiles, rule, fast_levels.data());
-      ASSERT_EQ(fast_levels, levels) << tiles << " tiles, contrast " << rule.contrast;
+      ASSERT_EQ(fast_levels, levels) << tiles << " tiles, contrasts " << rule.contrast << ", "
+                                     << rule.dim_contrast;
     }
   }
 }

@@ -51,7 +51,9 @@ bool dark_by_definition(const Grey& grey, int width, int height, int x, int y, c
   const int below = std::max(low + range / 2 - mean, 0);
   const int rise = range * rule.share / 16;
   const int level = low + rise - std::min({below - below / 4, range / 4 - range / 16, rise});
-  return range >= rule.contrast && grey[static_cast<std::size_t>(y * width + x)] < level;
+  // White is twice as light as black where they differ by as much as black has.
+  const int dim_limit = 2 * low <= high ? rule.dim_contrast : rule.contrast;
+  return range >= std::min(rule.contrast, dim_limit) && grey[static_cast<std::size_t>(y * width + x)] < level;
 }
 
 std::vector<bool> threshold_by_bands(const Grey& grey, int width, int height, const TileRule& rule) {
@@ -87,7 +89,7 @@ TEST(TileThreshold, FollowsItsDefinitionAtEverySize) {
       // Too few tiles for a noise estimate: the contrast limit is the given one.
       Grey grey(static_cast<std::size_t>(width * height));
       for (auto& g : grey) g = static_cast<std::uint8_t>(random() % 64);
-      const TileRule rule{40, 3 + (width + height) % 11};
+      const TileRule rule{40, 3 + (width + height) % 11, 12};
       const std::vector<bool> dark = threshold_by_bands(grey, width, height, rule);
       ASSERT_EQ(dark.size(), grey.size());
       for (int y = 0; y < height; ++y) {
@@ -113,8 +115,31 @@ TEST(TileThreshold, FlatIsWhiteAndEdgesFollowTheLight) {
           static_cast<std::uint8_t>(x >= 30 && x < 34 ? light * 6 / 10 : light);
     }
   }
-  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {36, 8});
+  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {36, 8, 36});
   for (int x = 0; x < width; ++x) EXPECT_EQ(dark[static_cast<std::size_t>(x)], x >= 30 && x < 34) << x;
+}
+
+TEST(TileThreshold, TakesLessContrastInTheDark) {
+  constexpr int width = 24;
+  constexpr int height = 24;
+  const auto darkened = [&](int black, int white, int dim_contrast) {
+    Grey grey(static_cast<std::size_t>(width * height), static_cast<std::uint8_t>(white));
+    for (int y = 0; y < height; ++y) {
+      for (int x = 10; x < 13; ++x) {
+        grey[static_cast<std::size_t>(y * width + x)] = static_cast<std::uint8_t>(black);
+      }
+    }
+    const std::vector<bool> dark = threshold_by_bands(grey, width, height, {20, 8, dim_contrast});
+    return std::count(dark.begin(), dark.end(), true);
+  };
+  constexpr int bar = 3 * height;
+  EXPECT_EQ(darkened(100, 120, 8), bar);
+  EXPECT_EQ(darkened(100, 119, 8), 0) << "paper is lighter, beside ink";
+  EXPECT_EQ(darkened(14, 28, 8), bar) << "twice as light";
+  EXPECT_EQ(darkened(14, 27, 8), 0) << "not quite";
+  EXPECT_EQ(darkened(2, 10, 8), bar);
+  EXPECT_EQ(darkened(2, 9, 8), 0) << "too little even there";
+  EXPECT_EQ(darkened(2, 21, 20), 0);
 }
 
 TEST(TileThreshold, KeepsThinWhiteLinesBetweenDarkShapes) {
@@ -126,20 +151,20 @@ TEST(TileThreshold, KeepsThinWhiteLinesBetweenDarkShapes) {
     grey[static_cast<std::size_t>(y * width + 20)] = 120;
     for (int x = 26; x < 29; ++x) grey[static_cast<std::size_t>(y * width + x)] = 200;
   }
-  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {20, 9});
+  const std::vector<bool> dark = threshold_by_bands(grey, width, height, {20, 9, 20});
   for (int y = 0; y < height; ++y) {
     EXPECT_FALSE(dark[static_cast<std::size_t>(y * width + 20)]) << y;
     EXPECT_TRUE(dark[static_cast<std::size_t>(y * width + 19)]) << y;
   }
 }
 
-TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
+TEST(NoiseFloor, FollowsTheNoiseOfRowsSeen) {
   std::mt19937 random(1);
   for (const double sigma : {0.5, 2.0, 5.0}) {
     std::normal_distribution<double> noise(128, sigma);
     NoiseFloor floor;
     floor.begin_frame();
-    EXPECT_EQ(floor.contrast_limit(12), 12) << "nothing seen yet";
+    EXPECT_EQ(floor.contrast(), 0) << "nothing seen yet";
     for (int band = 0; band < 40; ++band) {
       std::vector<std::uint8_t> low(160, 255);
       std::vector<std::uint8_t> high(160, 0);
@@ -155,7 +180,7 @@ TEST(NoiseFloor, LimitFollowsTheNoiseOfRowsSeen) {
       tiles.highest = high;
       floor.add({&tiles, &tiles, &tiles}, 160);
     }
-    const int limit = floor.contrast_limit(5);
+    const int limit = floor.contrast();
     EXPECT_GT(limit, 5.5 * sigma) << "above the usual range of nine tiles of noise";
     EXPECT_LT(limit, 8 * sigma + 3);
   }

@@ -88,7 +88,7 @@ void add_detector_options(CLI::App& command, DetectorSettings& settings) {
       ->capture_default_str();
   command
       .add_option("--min-contrast", options.min_contrast,
-                  "Least difference of grey levels between black and white")
+                  "Least difference of grey levels between black and white; in the dark two fifths of it")
       ->capture_default_str();
   command.add_option("--octaves", options.octaves, "How often the rows are halved to find large markers")
       ->capture_default_str();
