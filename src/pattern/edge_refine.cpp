@@ -41,13 +41,14 @@ class SideEdgeSearch {
   }
 
   /// @param widest  half the width of a blurred edge may be so much
-  [[nodiscard]] std::optional<SideEdge> find(double reach, double widest) {
+  /// @param least_weight  sum of the squared rises of a line that an edge crosses, at least
+  [[nodiscard]] std::optional<SideEdge> find(double reach, double widest, float least_weight) {
     constexpr double long_side = 48;  // pixels; shorter ones bow too little to tell
     const double across = reach / cosine_;
     take_rises(across);
     if (rises_.lines < 2) return std::nullopt;
     Bow bow;
-    if (!coarse(across, bow)) return std::nullopt;
+    if (!coarse(across, least_weight, bow)) return std::nullopt;
     double width = window(across, bow);
     if (width > 0.8 * across && widest > reach) {
       take_rises(widest / cosine_);
@@ -126,8 +127,7 @@ class SideEdgeSearch {
   }
 
   /// Squared rises single out the strongest edge within reach.
-  [[nodiscard]] bool coarse(double across, Bow& bow) const {
-    constexpr float least_weight = 64;
+  [[nodiscard]] bool coarse(double across, float least_weight, Bow& bow) const {
     EdgeMoments moments{};
     square_moments(rises_, static_cast<float>(across + 0.5), moments);
     BowFit fit;
@@ -206,6 +206,25 @@ class SideEdgeSearch {
   double share_[most_lines]{};                               // of the way from start to end, of each line
 };
 
+/// How much lighter it is outside than inside, that far from the middle of the clearest side.
+double contrast_across(const GreyFrame& frame, const Quad& quad, double distance) {
+  const auto grey = [&](double x, double y) {
+    return frame.at(static_cast<int>(std::clamp(x + 0.5, 0.0, frame.width - 1.0)),
+                    static_cast<int>(std::clamp(y + 0.5, 0.0, frame.height - 1.0)));
+  };
+  int most = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point a = quad.corners[i];
+    const Point b = quad.corners[(i + 1) % 4];
+    const double length = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const Point out{(b.y - a.y) / length * distance, (a.x - b.x) / length * distance};
+    const int rise = grey(middle.x + out.x, middle.y + out.y) - grey(middle.x - out.x, middle.y - out.y);
+    most = std::max(most, quad.light_inside ? -rise : rise);
+  }
+  return most;
+}
+
 }  // namespace
 
 Quad refine_edges(const GreyFrame& frame, const Quad& quad, int cells, double reach) {
@@ -213,13 +232,17 @@ Quad refine_edges(const GreyFrame& frame, const Quad& quad, int cells, double re
   const double side = std::sqrt(area);
   const double within_cell = std::max(0.8, 0.8 * side / cells);
   const double search = std::min(reach, within_cell);
+  // In the dark soft edges have small rises; elsewhere as small ones are noise where there is no edge.
+  const double contrast = contrast_across(frame, quad, search);
+  const auto least_weight = static_cast<float>(std::clamp(contrast * contrast / 25, 8.0, 64.0));
   std::array<SideEdge, 4> sides{};
   for (std::size_t i = 0; i < 4; ++i) {
     const Point a = quad.corners[i];
     const Point b = quad.corners[(i + 1) % 4];
     const double depth = area / std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) /
                          cells;  // of a cell, across the side
-    const auto edge = SideEdgeSearch(frame, a, b, quad.light_inside).find(search, std::min(0.5 * depth, 8.0));
+    const auto edge =
+        SideEdgeSearch(frame, a, b, quad.light_inside).find(search, std::min(0.5 * depth, 8.0), least_weight);
     if (!edge) return quad;
     sides[i] = *edge;
   }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "support/picture.h"
 
@@ -40,6 +42,44 @@ TEST(RefineEdges, FindsTheEdgeFromAPixelAway) {
       EXPECT_NEAR(refined.corners[i].x, truth[i].x, 0.05) << degrees;
       EXPECT_NEAR(refined.corners[i].y, truth[i].y, 0.05) << degrees;
     }
+  }
+}
+
+TEST(RefineEdges, FindsSoftEdgesOfTenGreyLevels) {
+  const auto truth = test::turned_square({60.25, 58.75}, 64, 22.5);
+  test::Picture picture(120, 120, 14);
+  test::PlaneMap map(truth);
+  picture.draw([&](double x, double y) {
+    // A ramp 6 pixels wide: no two pixels differ by more than 2.
+    const Point uv = map(x, y);
+    const double inside = 64 * std::min({uv.x, uv.y, 1 - uv.x, 1 - uv.y});
+    return 14 - 10 * std::clamp(0.5 + inside / 6, 0.0, 1.0);
+  });
+  Quad start;
+  start.corners = test::turned_square({61.2, 58.2}, 66, 23.5);
+  const Quad refined = refine_edges(picture.frame(), start, 8, 5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(refined.corners[i].x, truth[i].x, 0.3);
+    EXPECT_NEAR(refined.corners[i].y, truth[i].y, 0.3);
+  }
+}
+
+TEST(RefineEdges, TakesNoNoiseForAnEdge) {
+  // The dark square goes on to the rim of the frame: there is no edge above it.
+  test::Picture picture(60, 60, 104);
+  std::mt19937 random(5);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const bool dark = x >= 20 && x < 40 && y < 20;
+      picture.at(x, y) = static_cast<std::uint8_t>((dark ? 26 : 104) + static_cast<int>(random() % 9) - 4);
+    }
+  }
+  Quad start;
+  start.corners = {{{19.5, -0.5}, {39.5, -0.5}, {39.5, 19.5}, {19.5, 19.5}}};
+  const Quad refined = refine_edges(picture.frame(), start, 7, 2.5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(refined.corners[i].x, start.corners[i].x);
+    EXPECT_EQ(refined.corners[i].y, start.corners[i].y);
   }
 }
 

@@ -78,6 +78,22 @@ TEST(HardCases, MarkersOfMoreThanAThousandPixels) {
   EXPECT_LT(worst_corner(found[0], truth), 0.1);
 }
 
+TEST(HardCases, InAlmostNoLight) {
+  const Dictionary d = dictionary("tag36h11");
+  test::Picture picture(160, 160, 200);
+  const auto truth = test::turned_square({80.2, 80.4}, 72, 10);
+  test::draw_at(picture, d, 3, truth, false);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      picture.at(x, y) = static_cast<std::uint8_t>(2 + picture.at(x, y) / 20);
+    }
+  }
+  const auto found = markers_in(picture, {d});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].id, 3);
+  EXPECT_LT(worst_corner(found[0], truth), 0.3);
+}
+
 TEST(HardCases, BothCopiesOfOneId) {
   const Dictionary d = dictionary("DICT_6X6_250");
   test::Picture picture(200, 100, 220);
