@@ -49,15 +49,15 @@ class Search {
   [[nodiscard]] bool fit_levels() {
     constexpr float least_contrast = 0.25F;
     Grid picture;
+    draw(picture);
     float sp = 0;
     float sv = 0;
     float spp = 0;
     float spv = 0;
     for (int y = 0; y < values_.width; ++y) {
       for (int x = 0; x < values_.width; ++x) {
-        const float p = kernel_.over(truth_, x, y);
+        const float p = picture[at(x, y)];
         const float v = values_.at(x, y);
-        picture[at(x, y)] = p;
         sp += p;
         sv += v;
         spp += p * p;
@@ -116,6 +116,28 @@ class Search {
   }
 
  private:
+  /// The blurred picture of the cells: the kernel over all of them, along the rows first.
+  void draw(Grid& picture) const {
+    const int width = values_.width;
+    Grid along;  // NOLINT(*-member-init): filled as far as used
+    for (int y = -1; y <= width; ++y) {
+      const float* from = &truth_[at(0, y)];
+      float* to = &along[at(0, y)];
+      for (int x = 0; x < width; ++x) {
+        to[x] =
+            kernel_.across[0] * from[x - 1] + kernel_.across[1] * from[x] + kernel_.across[2] * from[x + 1];
+      }
+    }
+    for (int y = 0; y < width; ++y) {
+      const float* from = &along[at(0, y)];
+      float* to = &picture[at(0, y)];
+      for (int x = 0; x < width; ++x) {
+        to[x] = kernel_.down[0] * from[x - stride] + kernel_.down[1] * from[x] +
+                kernel_.down[2] * from[x + stride];
+      }
+    }
+  }
+
   [[nodiscard]] static std::size_t at(int x, int y) { return static_cast<std::size_t>(place(x, y)); }
 
   /// By how much turning a rounded cell over takes the picture away from the values.
@@ -126,6 +148,13 @@ class Search {
 
   void change(Cell cell, float step) {
     truth_[at(cell.x, cell.y)] += step;
+    if (cell.x > 0 && cell.y > 0 && cell.x + 1 < values_.width && cell.y + 1 < values_.width) {
+      float* rest = &rest_[at(cell.x - 1, cell.y - 1)];
+      for (int j = 0; j < 3; ++j, rest += stride) {
+        for (int i = 0; i < 3; ++i) rest[i] -= step * (kernel_.across[i] * kernel_.down[j]);
+      }
+      return;
+    }
     for (int j = -1; j <= 1; ++j) {
       for (int i = -1; i <= 1; ++i) {
         const int x = cell.x + i;
