@@ -12,6 +12,10 @@
 namespace runmark {
 namespace {
 
+// Of random readings, for codes that are to be trusted less than others.
+constexpr double seldom = 1 / 16384.0;
+constexpr double hardly_ever = 1 / 262144.0;
+
 double distance(Point a, Point b) { return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)); }
 
 }  // namespace
@@ -74,8 +78,7 @@ int MarkerReader::lowest_row(const Quad& quad) const {
 
 bool MarkerReader::look_up(const CellReading& reading, const Quad& quad, const Group& group,
                            double most_accepted, Best& best) {
-  // Of random readings: text is full of squares with tiny cells, and wrong bits make one of them a code.
-  constexpr double most_corrected = 1 / 262144.0;
+  // Text is full of squares with tiny cells, and wrong bits make one of them a code.
   constexpr double tiny_cell = 1.5;  // pixels
   const MarkerLayout& layout = group.layout;
   const bool reversed = layout.is_reversed();
@@ -89,7 +92,7 @@ bool MarkerReader::look_up(const CellReading& reading, const Quad& quad, const G
     const auto match = book.lookup.find(code);
     if (!match) continue;
     const double accepted = accepted_share(bits, book.dictionary->codes.size(), match->hamming);
-    if (accepted > (tiny && match->hamming > 0 ? most_corrected : most_accepted)) continue;
+    if (accepted > (tiny && match->hamming > 0 ? hardly_ever : most_accepted)) continue;
     found = true;
     const double chance = accepted_share(bits, 1, match->hamming);
     if (chance >= best.chance) continue;
@@ -113,8 +116,7 @@ void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, cons
   constexpr std::array blurs{0.45, 0.6, 0.75};  // standard deviation, of a cell
   constexpr double largest_cell = 6;            // pixels; blur of half a larger one is rare
   constexpr double least_blur = 0.35;           // cells, as the edges show it; sharper cells read as they are
-  constexpr double most_accepted = 1 / 16384.0;  // of random readings: small codes would invent markers
-  constexpr float least_margin = 0.25F;          // clear enough that no other cell would do
+  constexpr float least_margin = 0.25F;         // clear enough that no other cell would do
   const int width = layout.width;
   const double side = std::sqrt(area_of(quad.corners));
   if (layout.overhang > 0 || side > largest_cell * width || quad.blur * width < least_blur * side) return;
@@ -133,7 +135,7 @@ void MarkerReader::read_unblurred(const GreyFrame& frame, const Quad& quad, cons
     const Unblurred clear = unblur(cells, layout.cells, spill(blur / across), spill(blur / down));
     const CellReading reading{clear.code, clear.margin};
     if (reading.margin >= std::max(least_margin, limits_.min_margin) &&
-        look_up(reading, quad, group, most_accepted, best)) {
+        look_up(reading, quad, group, seldom, best)) {
       return;
     }
   }
@@ -163,6 +165,15 @@ bool MarkerReader::confirm(const GreyFrame& frame, double blur, const Best& best
 }
 
 std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad) const {
+  return read(frame, quad, 1, true);
+}
+
+std::optional<Marker> MarkerReader::read_again(const GreyFrame& frame, const Quad& quad) const {
+  return read(frame, quad, hardly_ever, false);
+}
+
+std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& quad, double most_accepted,
+                                         bool blurred) const {
   Best best;
   for (const Group& group : groups_) {
     const MarkerLayout& layout = group.layout;
@@ -173,8 +184,8 @@ std::optional<Marker> MarkerReader::read(const GreyFrame& frame, const Quad& qua
     const std::optional<LightModel> light = fit_light(frame, place, layout.rings, quad.light_inside, one_in);
     if (!light) continue;
     const CellReading reading = read_cells(frame, place, *light, layout);
-    if (reading.margin >= limits_.min_margin && look_up(reading, quad, group, 1, best)) continue;
-    read_unblurred(frame, quad, place, *light, group, best);
+    if (reading.margin >= limits_.min_margin && look_up(reading, quad, group, most_accepted, best)) continue;
+    if (blurred) read_unblurred(frame, quad, place, *light, group, best);
   }
   if (best.marker && !confirm(frame, quad.blur, best, *best.marker)) return std::nullopt;
   return best.marker;

@@ -34,6 +34,9 @@ class MarkerReader {
   /// those corrected; then the one asked for first.
   [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad) const;
 
+  /// A second try by other corners: at cells as they are, and for codes that chance hardly ever makes.
+  [[nodiscard]] std::optional<Marker> read_again(const GreyFrame& frame, const Quad& quad) const;
+
   /// Whether a quadrilateral may be a marker, by its border and by the lightest of its cells: a quick look
   /// before its edges are refined.
   [[nodiscard]] bool may_be_marker(const GreyFrame& frame, const Quad& quad) const;
@@ -69,6 +72,10 @@ class MarkerReader {
     const MarkerLayout* layout = nullptr;
     std::uint64_t code = 0;
   };
+  /// @param most_accepted  as of look_up, of cells as they are
+  /// @param blurred  whether blurred cells are read too
+  [[nodiscard]] std::optional<Marker> read(const GreyFrame& frame, const Quad& quad, double most_accepted,
+                                           bool blurred) const;
   /// Compares the whole pattern with the frame and places the corners by all of its edges; false where a
   /// small code is not what the frame shows.
   [[nodiscard]] static bool confirm(const GreyFrame& frame, double blur, const Best& best, Marker& marker);

@@ -100,7 +100,11 @@ void StandardPipeline::read(const Quad& quad, double reach, const GreyFrame& fra
   if (found.has(quad.corners)) return;
   std::optional<Marker> marker;
   if (reader_.may_be_marker(frame, quad)) {
-    marker = reader_.read(frame, refine_edges(frame, quad, reader_.most_cells(), reach));
+    const Quad refined = refine_edges(frame, quad, reader_.most_cells(), reach);
+    marker = reader_.read(frame, refined);
+    // A stronger edge beside it may have drawn a side away from the outline.
+    const bool moved = std::isfinite(refined.blur);
+    if (!marker && moved) marker = reader_.read_again(frame, quad);
   }
   if (!marker) return found.reject(quad.corners);
   marker->row = frame.height - 1;

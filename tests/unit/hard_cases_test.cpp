@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "render/scene.h"
+#include "render/standard_sets.h"
 #include "runmark/detector.h"
 #include "support/corners.h"
 #include "support/picture.h"
@@ -92,6 +95,20 @@ TEST(HardCases, InAlmostNoLight) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].id, 3);
   EXPECT_LT(worst_corner(found[0], truth), 0.3);
+}
+
+TEST(HardCases, StrongerEdgesBesideTheMarker) {
+  const Dictionary d = dictionary("tag36h11");
+  const render::StandardSet* set = render::find_standard_set("vga");
+  for (const auto& [scene, id] : {std::pair(120, 264), std::pair(130, 461)}) {
+    const render::RenderedFrame frame =
+        render::render(render::make_scene(set->recipe, d, render::set_seed("vga", 0), scene));
+    auto detector = Detector::create({.max_width = frame.width, .max_height = frame.height}, {d});
+    ASSERT_TRUE(detector) << detector.error();
+    const Detection found =
+        detector->detect(ImageView::grey(frame.grey.data(), frame.width, frame.height, frame.width));
+    EXPECT_EQ(std::ranges::count(found, id, &Marker::id), 1) << scene;
+  }
 }
 
 TEST(HardCases, BothCopiesOfOneId) {

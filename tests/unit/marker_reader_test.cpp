@@ -69,6 +69,18 @@ TEST(MarkerReader, APlainSquareIsOneWhenADictionarySaysSo) {
   EXPECT_EQ(marker->id, 0);
 }
 
+TEST(MarkerReader, ReadsAgainWhatChanceHardlyEverMakes) {
+  for (const auto& [name, taken] :
+       {std::pair("tag36h11", true), {"DICT_6X6_250", true}, {"DICT_4X4_50", false}}) {
+    const std::vector<Dictionary> dictionaries = list_of(builtin_dictionary(name));
+    test::Picture picture(100, 100, 220);
+    test::draw_at(picture, dictionaries[0], 7, corners);
+    const MarkerReader reader(dictionaries, {});
+    ASSERT_TRUE(reader.read(picture.frame(), quad_at(corners))) << name;
+    EXPECT_EQ(reader.read_again(picture.frame(), quad_at(corners)).has_value(), taken) << name;
+  }
+}
+
 TEST(MarkerReader, WrongBitsOfTinyCellsAreCorrectedWhereChanceIsLow) {
   const auto is_read = [](const char* name, double side) {
     const std::vector<Dictionary> dictionaries = list_of(builtin_dictionary(name));
