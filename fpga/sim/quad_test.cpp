@@ -204,7 +204,8 @@ TEST(RtlQuad, TakesFewClocks) {
   for (int i = 0; i < 20; ++i) {
     for (const Chain& chain : quad_chains(60, 1, false, random)) {
       bench.run(chain, {}, 100, 0);
-      // Eight clocks a record and six once more round to the first corner, the scans, the lines and the corners.
+      // Eight clocks a record and six once more round to the first corner, the scans, the lines and the
+      // corners.
       EXPECT_LE(bench.cycles, 800 + 20 * chain.records.size());
     }
   }
