@@ -131,6 +131,7 @@ class Run {
     expect(runmark_load_codes(&bench_.device(), codes_.codes.data(),
                               static_cast<unsigned>(codes_.codes.size())) == RUNMARK_OK,
            "the codes are taken");
+    filtered_ = settings.filter != 0;
     runmark_run(&bench_.device(), 1);
   }
 
@@ -163,8 +164,7 @@ class Run {
       bench_.tick();
       const auto taken = bench_.take_record();
       if (!taken) continue;
-      const bool filtered = or_own(options_.filter, filter_all) != filter_none;
-      if (auto outcome = collector_.add(taken->record, options_.max_height, filtered)) return *outcome;
+      if (auto outcome = collector_.add(taken->record, options_.max_height, filtered_)) return *outcome;
     }
     expect(false, "a frame ends");
     return {};
@@ -175,6 +175,7 @@ class Run {
   rtl::TopBench<typename Profile::Model> bench_;
   rtl::Reference reference_;
   rtl::FrameCollector collector_;
+  bool filtered_ = false;
 };
 
 }  // namespace
