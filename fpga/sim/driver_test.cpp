@@ -15,13 +15,7 @@ const Dictionary& dictionary() {
 
 class RtlDriver : public testing::Test {
  protected:
-  static Options options(int width, int height) {
-    Options options;
-    options.pipeline = Pipeline::paper;
-    options.max_width = width;
-    options.max_height = height;
-    return options;
-  }
+  static Options options(int width, int height) { return options_of(Pipeline::paper, width, height); }
   runmark_settings settings(int width, int height, std::uint32_t control) {
     return settings_of(options(width, height), dictionary(), width, height, control);
   }
@@ -173,13 +167,7 @@ TEST_F(RtlDriver, RefusesWhatIsOutOfRange) {
 /// The registers of the hardware profile alone, and a frame through them.
 class RtlDriverHardware : public testing::Test {
  protected:
-  static Options options(int width, int height) {
-    Options options;
-    options.pipeline = Pipeline::hardware;
-    options.max_width = width;
-    options.max_height = height;
-    return options;
-  }
+  static Options options(int width, int height) { return options_of(Pipeline::hardware, width, height); }
   runmark_settings settings(std::uint32_t control) {
     return settings_of(options(150, 140), codes, 150, 140, control);
   }

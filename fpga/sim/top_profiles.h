@@ -51,13 +51,7 @@ struct HardwareProfile {
 template <class Profile>
 class RtlTop : public ::testing::Test {
  protected:
-  static Options options(int width, int height) {
-    Options options;
-    options.pipeline = Profile::pipeline;
-    options.max_width = width;
-    options.max_height = height;
-    return options;
-  }
+  static Options options(int width, int height) { return options_of(Profile::pipeline, width, height); }
   static const Dictionary& dictionary() {
     static const Dictionary it = *builtin_dictionary("DICT_6X6_250");
     return it;

@@ -13,6 +13,15 @@
 
 namespace runmark::rtl {
 
+/// The defaults of a pipeline for frames of one size.
+inline Options options_of(Pipeline pipeline, int width, int height) {
+  Options options;
+  options.pipeline = pipeline;
+  options.max_width = width;
+  options.max_height = height;
+  return options;
+}
+
 /// How many wrong bits are corrected: never so many that two codes could match.
 inline int corrected_bits(const Options& options, const Dictionary& dictionary) {
   const int asked = options.corrected_bits < 0 ? dictionary.corrected_bits : options.corrected_bits;

@@ -16,14 +16,6 @@ inline bool same_marker(const Marker& a, const Marker& b) {
 
 inline constexpr int memory_latency = 30;
 
-inline Options options_of(Pipeline pipeline, int width, int height) {
-  Options options;
-  options.pipeline = pipeline;
-  options.max_width = width;
-  options.max_height = height;
-  return options;
-}
-
 /// A VGA frame through the hardware, with the records it has, and through the plain pipeline, with 65,535.
 template <class Cores>
 class Measure {
