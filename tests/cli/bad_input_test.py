@@ -254,7 +254,8 @@ class Videos(CommandTest):
         ffmpeg = subprocess.Popen([FFMPEG, "-v", "error", "-stream_loop", "-1", "-i", source, "-f", *form, "-"],
                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         with subprocess.Popen([PROGRAM, "detect", "-f", "jsonl", "-j", jobs, "-"], stdin=ffmpeg.stdout,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              bufsize=0) as program:  # communicate() knows nothing of lines read ahead
             ffmpeg.stdout.close()
             lines = [program.stdout.readline() for _ in range(5)]
             # While nobody reads, ffmpeg stands in the middle of a frame, which is larger than any pipe.

@@ -85,9 +85,9 @@ class SameAsOne(CommandTest):
 
 
 class Endings(CommandTest):
-    def start(self, *arguments):
+    def start(self, *arguments, **keywords):
         return subprocess.Popen([PROGRAM, "detect", "--jobs", "3", "-f", "jsonl", *arguments], stdin=subprocess.PIPE,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, **keywords)
 
     def test_number_of_jobs(self):
         for jobs in ("0", "-1", "two", "1025"):
@@ -135,7 +135,7 @@ class Endings(CommandTest):
     def test_interrupt_in_the_midst_leaves_whole_lines(self):
         path = self.path("a.pgm")
         scene.write_pgm(path, scene.one_marker(width=1200, height=900))
-        with self.start(*[path] * 5000) as program:
+        with self.start(*[path] * 5000, bufsize=0) as program:  # communicate() knows nothing of lines read ahead
             first = program.stdout.readline()
             time.sleep(0.05)
             program.send_signal(signal.SIGINT)
