@@ -1,5 +1,7 @@
 #include "pipeline/halve_fast.h"
 
+#include <algorithm>
+
 #include "pipeline/halve.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -27,13 +29,13 @@ void HalveRows(const std::uint8_t* upper, const std::uint8_t* lower, int width, 
     const auto v = hn::BitCast(pairs, hn::LoadU(d, bytes));
     return hn::Add(hn::And(v, low_byte), hn::ShiftRight<8>(v));
   };
-  int x = 0;
-  for (; x + lanes <= width; x += lanes) {
+  if (width < lanes) return runmark::halve_rows(upper, lower, width, half);
+  for (int next = 0; next < width; next += lanes) {
+    const int x = std::min(next, width - lanes);  // the last vector overlaps with the one before
     const auto sum = hn::Add(sum_of_pairs(upper + 2 * x), sum_of_pairs(lower + 2 * x));
     const auto rounded = hn::ShiftRight<2>(hn::Add(sum, hn::Set(pairs, std::uint16_t{2})));
     hn::StoreU(hn::TruncateTo(halves, rounded), halves, half + x);
   }
-  runmark::halve_rows(upper + 2 * x, lower + 2 * x, width - x, half + x);
 }
 
 #endif

@@ -26,13 +26,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Bytes = hn::CappedTag<std::uint8_t, bits_per_word>;  // a word of a bit row has 64 pixels
 using Words = hn::Repartition<std::uint32_t, Bytes>;       // a tile's row each
 using TileBytes = hn::Rebind<std::uint8_t, Words>;
-using Pairs = hn::Repartition<std::uint16_t, Bytes>;
-
-/// As many pixels of a row as whole vectors hold.
-HWY_INLINE int whole_vectors(int width) {
-  const auto lanes = static_cast<int>(hn::Lanes(Bytes()));
-  return width / lanes * lanes;
-}
 
 /// Joins the four bytes of each tile: afterwards the first is right.
 template <class Join>
@@ -50,8 +43,10 @@ void TileLightOf(const TileBand& band, int width, TileLight& light) {
   const auto least = [](auto a, auto b) HWY_ATTR { return hn::Min(a, b); };
   const auto greatest = [](auto a, auto b) HWY_ATTR { return hn::Max(a, b); };
   const auto mean_of = [](auto a, auto b) HWY_ATTR { return hn::AverageRound(a, b); };
-  const int whole = whole_vectors(width);
-  for (int x = 0; x < whole; x += static_cast<int>(hn::Lanes(d))) {
+  const auto lanes = static_cast<int>(hn::Lanes(d));
+  const int whole = width >= lanes ? width / tile_side * tile_side : 0;
+  for (int next = 0; next < whole; next += lanes) {
+    const int x = std::min(next, whole - lanes);  // the last vector overlaps with the one before
     const auto a = hn::LoadU(d, band[0] + x);
     const auto b = hn::LoadU(d, band[1] + x);
     const auto c = hn::LoadU(d, band[2] + x);
@@ -68,44 +63,56 @@ void TileLightOf(const TileBand& band, int width, TileLight& light) {
 }
 
 /// Bytes divided by 2^bits.
-template <int bits>
-HWY_INLINE hn::Vec<Bytes> Part(hn::Vec<Bytes> v) {
-  const Bytes d;
-  const Pairs pairs;
+template <int bits, class D>
+HWY_INLINE hn::Vec<D> Part(D d, hn::Vec<D> v) {
+  const hn::Repartition<std::uint16_t, D> pairs;
   return hn::And(hn::BitCast(d, hn::ShiftRight<bits>(hn::BitCast(pairs, v))),
                  hn::Set(d, std::uint8_t{0xFF >> bits}));
 }
 
-void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
-  const Bytes d;
-  const Pairs pairs;
+/// The levels of the tiles from `tile` on, as many as a vector holds.
+template <class D>
+HWY_INLINE void LevelsAt(D d, const ThreeBands& bands, std::size_t tile, const TileRule& rule,
+                         std::uint8_t* levels) {
+  const hn::Repartition<std::uint16_t, D> pairs;
   const auto& [above, own, below] = bands;
-  const auto contrast = hn::Set(d, static_cast<std::uint8_t>(rule.contrast));
-  const auto dim_contrast = hn::Set(d, static_cast<std::uint8_t>(rule.dim_contrast));
   const auto share = hn::Set(pairs, static_cast<std::uint16_t>(rule.share));
-  const auto low_byte = hn::Set(pairs, std::uint16_t{0xFF});
-  const int whole = whole_vectors(tiles);
-  for (int t = 0; t < whole; t += static_cast<int>(hn::Lanes(d))) {
-    const auto load = [&](const std::vector<std::uint8_t>& row)
-                          HWY_ATTR { return hn::LoadU(d, row.data() + t); };
-    const auto low = hn::Min(hn::Min(load(above->lowest), load(own->lowest)), load(below->lowest));
-    const auto high = hn::Max(hn::Max(load(above->highest), load(own->highest)), load(below->highest));
-    const auto mean =
-        hn::AverageRound(hn::AverageRound(load(above->mean), load(below->mean)), load(own->mean));
-    const auto range = hn::Sub(high, low);
-    const auto even = hn::And(hn::BitCast(pairs, range), low_byte);
-    const auto odd = hn::ShiftRight<8>(hn::BitCast(pairs, range));
-    const auto even_rise = hn::ShiftRight<4>(hn::Mul(even, share));
-    const auto odd_rise = hn::ShiftLeft<8>(hn::ShiftRight<4>(hn::Mul(odd, share)));
-    const auto rise = hn::BitCast(d, hn::Or(even_rise, odd_rise));
-    const auto lack = hn::SaturatedSub(hn::Add(low, Part<1>(range)), mean);
-    const auto fall =
-        hn::Min(hn::Min(hn::Sub(lack, Part<2>(lack)), hn::Sub(Part<2>(range), Part<4>(range))), rise);
-    const auto level = hn::Sub(hn::Add(low, rise), fall);
-    const auto limit = hn::Min(hn::Max(low, dim_contrast), contrast);
-    hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, limit), level), d, levels + t);
-  }
-  runmark::tile_levels(bands, tiles, rule, levels, static_cast<std::size_t>(whole));
+  const auto load = [&](const std::vector<std::uint8_t>& row)
+                        HWY_ATTR { return hn::LoadU(d, row.data() + tile); };
+  const auto low = hn::Min(hn::Min(load(above->lowest), load(own->lowest)), load(below->lowest));
+  const auto high = hn::Max(hn::Max(load(above->highest), load(own->highest)), load(below->highest));
+  const auto mean = hn::AverageRound(hn::AverageRound(load(above->mean), load(below->mean)), load(own->mean));
+  const auto range = hn::Sub(high, low);
+  const auto even = hn::And(hn::BitCast(pairs, range), hn::Set(pairs, std::uint16_t{0xFF}));
+  const auto odd = hn::ShiftRight<8>(hn::BitCast(pairs, range));
+  const auto even_rise = hn::ShiftRight<4>(hn::Mul(even, share));
+  const auto odd_rise = hn::ShiftLeft<8>(hn::ShiftRight<4>(hn::Mul(odd, share)));
+  const auto rise = hn::BitCast(d, hn::Or(even_rise, odd_rise));
+  const auto lack = hn::SaturatedSub(hn::Add(low, Part<1>(d, range)), mean);
+  const auto fall =
+      hn::Min(hn::Min(hn::Sub(lack, Part<2>(d, lack)), hn::Sub(Part<2>(d, range), Part<4>(d, range))), rise);
+  const auto level = hn::Sub(hn::Add(low, rise), fall);
+  const auto dim_contrast = hn::Set(d, static_cast<std::uint8_t>(rule.dim_contrast));
+  const auto limit = hn::Min(hn::Max(low, dim_contrast), hn::Set(d, static_cast<std::uint8_t>(rule.contrast)));
+  hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, limit), level), d, levels + tile);
+}
+
+/// All tiles; the last vector overlaps with the one before. Nothing where a vector is too long.
+template <class D>
+HWY_INLINE bool LevelsOfAll(D d, const ThreeBands& bands, std::size_t tiles, const TileRule& rule,
+                            std::uint8_t* levels) {
+  const std::size_t lanes = hn::Lanes(d);
+  if (tiles < lanes) return false;
+  for (std::size_t t = 0; t + lanes < tiles; t += lanes) LevelsAt(d, bands, t, rule, levels);
+  LevelsAt(d, bands, tiles - lanes, rule, levels);
+  return true;
+}
+
+void TileLevelsOf(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
+  const auto count = static_cast<std::size_t>(tiles);
+  if (LevelsOfAll(Bytes(), bands, count, rule, levels)) return;
+  if (LevelsOfAll(hn::CappedTag<std::uint8_t, 16>(), bands, count, rule, levels)) return;
+  runmark::tile_levels(bands, tiles, rule, levels);
 }
 
 void ThresholdRowOf(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits) {
