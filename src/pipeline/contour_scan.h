@@ -11,6 +11,7 @@
 #include "preprocess/border.h"
 #include "preprocess/crack_runs_fast.h"
 #include "preprocess/filter.h"
+#include "preprocess/specks_fast.h"
 #include "runmark/detector.h"
 
 namespace runmark {
@@ -18,6 +19,7 @@ namespace runmark {
 /// What a pipeline tells the preprocess and contour cores.
 struct ContourRules {
   std::uint8_t filter_cases = filter_none;
+  bool drop_specks = false;  ///< without a filter: single pixels, whose contours the limits drop
   Connectivity connectivity = Connectivity::four;
   ChainLimits chains;
   std::size_t records = 65535;  ///< crack runs alive at once
@@ -29,6 +31,7 @@ class ContourScan {
   ContourScan(int max_width, const ContourRules& rules)
       : connectivity_(rules.connectivity),
         filter_cases_(rules.filter_cases),
+        drop_specks_(rules.drop_specks),
         records_(rules.records),
         ends_(max_chain_ends(max_width)),
         end_at_(static_cast<std::size_t>(max_width) + 1),
@@ -50,20 +53,20 @@ class ContourScan {
   /// Where the next row is to be written before `advance`.
   [[nodiscard]] BitWord* next_row() { return raw_[2].data(); }
 
-  /// Takes the row written to next_row. The chains it closes go to `sink`. With a filter the contours run
-  /// one row late, since a row is filtered when the row below it is in.
+  /// Takes the row written to next_row. The chains it closes go to `sink`. Where rows are cleaned the contours
+  /// run one row late, since a row is cleaned when the row below it is in.
   template <class Sink>
   void advance(Sink&& sink) {
     clear_border(raw_[2].data(), width_, y_, height_);
-    if (filter_cases_ == 0) {
+    if (filter_cases_ == 0 && !drop_specks_) {
       follow(raw_[1].data(), raw_[2].data(), y_, sink);
     } else if (y_ > 0) {
-      filter_row(raw_[0].data(), raw_[1].data(), raw_[2].data(), width_, filter_cases_, clean_[1].data());
+      clean();
       follow(clean_[0].data(), clean_[1].data(), y_ - 1, sink);
       std::swap(clean_[0], clean_[1]);
       if (y_ + 1 == height_) {
         follow(clean_[0].data(), raw_[2].data(), y_,
-               sink);  // the last row is border: white, nothing to filter
+               sink);  // the last row is border: white, nothing to clean
       }
     }
     std::rotate(raw_.begin(), raw_.begin() + 1, raw_.end());
@@ -88,6 +91,17 @@ class ContourScan {
   }
 
  private:
+  /// The row before the one just taken, from raw_ to clean_.
+  void clean() {
+    const auto& [above, current, below] = raw_;
+    BitWord* to = clean_[1].data();
+    if (filter_cases_ != 0) {
+      filter_row(above.data(), current.data(), below.data(), width_, filter_cases_, to);
+    } else {
+      fast::drop_specks(above.data(), current.data(), below.data(), width_, connectivity_, to);
+    }
+  }
+
   template <class Sink>
   void follow(const BitWord* above, const BitWord* current, int y, Sink&& sink) {
     const std::size_t count = fast::find_crack_runs(above, current, width_, connectivity_, runs_);
@@ -96,11 +110,12 @@ class ContourScan {
 
   Connectivity connectivity_;
   std::uint8_t filter_cases_;
+  bool drop_specks_;
   int width_ = 0;
   int height_ = 0;
   int y_ = 0;
   std::array<std::vector<BitWord>, 3> raw_;    // above, current, next
-  std::array<std::vector<BitWord>, 2> clean_;  // filtered: above, current
+  std::array<std::vector<BitWord>, 2> clean_;  // cleaned: above, current
   std::vector<Record> records_;
   std::vector<ChainEnd> ends_;
   std::vector<EndIndex> end_at_;
