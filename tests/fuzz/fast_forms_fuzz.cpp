@@ -10,6 +10,7 @@
 #include "pipeline/halve_fast.h"
 #include "preprocess/crack_runs_fast.h"
 #include "preprocess/filter.h"
+#include "preprocess/specks_fast.h"
 #include "threshold/grey_fast.h"
 #include "threshold/tiles_fast.h"
 
@@ -143,6 +144,9 @@ void compare_bit_rows(Rows& rows, int width, std::uint8_t cases) {
     std::vector<CrackRun> quick_runs(max_crack_runs(width) + fast::crack_runs_slack);
     quick_runs.resize(fast::find_crack_runs(bits[0].data(), bits[1].data(), width, connectivity, quick_runs));
     expect(quick_runs == runs, "find_crack_runs");
+    drop_specks(bits[0].data(), bits[1].data(), bits[2].data(), width, connectivity, plain.data());
+    fast::drop_specks(bits[0].data(), bits[1].data(), bits[2].data(), width, connectivity, quick.data());
+    expect(quick == plain, "drop_specks");
   }
 }
 

@@ -16,6 +16,7 @@
 #include "pipeline/halve.h"
 #include "pipeline/halve_fast.h"
 #include "preprocess/crack_runs_fast.h"
+#include "preprocess/specks_fast.h"
 #include "threshold/grey_fast.h"
 #include "threshold/tiles_fast.h"
 
@@ -216,6 +217,31 @@ TEST_P(FastForms, CrackRuns) {
           "find_crack_runs",
           [&] { std::ignore = find_crack_runs(above.data(), current.data(), width, four, runs); },
           [&] { std::ignore = fast::find_crack_runs(above.data(), current.data(), width, four, runs); });
+    }
+  }
+}
+
+TEST_P(FastForms, DropSpecks) {
+  std::mt19937 random(7);
+  for (const int width : widths) {
+    for (const unsigned density : {1U, 3U, 8U, 13U, 15U}) {
+      const Words above = random_bits(random, width, density);
+      const Words current = random_bits(random, width, density);
+      const Words below = random_bits(random, width, density);
+      Words clean(bit_words(width));
+      Words fast_clean = clean;
+      const auto drop = [&](auto form, Connectivity connectivity, Words& out) {
+        form(above.data(), current.data(), below.data(), width, connectivity, out.data());
+      };
+      for (const Connectivity connectivity : {Connectivity::four, Connectivity::eight}) {
+        drop(drop_specks, connectivity, clean);
+        drop(fast::drop_specks, connectivity, fast_clean);
+        ASSERT_EQ(fast_clean, clean) << width << " pixels, density " << density;
+      }
+      if (width != 1921 || density != 1) continue;
+      print_speed(
+          "drop_specks", [&] { drop(drop_specks, Connectivity::four, clean); },
+          [&] { drop(fast::drop_specks, Connectivity::four, clean); });
     }
   }
 }
