@@ -45,11 +45,6 @@ class Search {
       for (int x = 0; x < values.width; ++x) truth_[at(x, y)] = 0;
     }
     for (const Cell cell : cells) truth_[at(cell.x, cell.y)] = 0.5F;
-    std::array<std::uint8_t, 10> begin{};  // of each ninth of the cells
-    const auto ninth = [](Cell cell) { return static_cast<std::size_t>(cell.x % 3 + cell.y % 3 * 3); };
-    for (const Cell cell : cells) ++begin[ninth(cell) + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    for (const Cell cell : cells) apart_[begin[ninth(cell)]++] = cell;
   }
 
   /// Black and white level by least squares; false when there is too little between them.
@@ -88,7 +83,7 @@ class Search {
   /// Every cell in turn to where the picture is nearest.
   void relax() {
     const float per_energy = 1 / kernel_.energy;
-    for (const Cell cell : std::span<const Cell>(apart_).first(cells_.size())) {
+    for (const Cell cell : cells_) {
       const float now = truth_[at(cell.x, cell.y)];
       const float best = now + kernel_.over(rest_, cell.x, cell.y) * per_energy;
       change(cell, std::min(std::max(best, 0.0F), 1.0F) - now);
@@ -176,8 +171,6 @@ class Search {
   const CellValues& values_;
   std::span<const Cell> cells_;
   const Kernel& kernel_;
-  // The cells in another order: what turns one of them does not reach the next, so the processor need not wait.
-  std::array<Cell, most_cells_across * most_cells_across> apart_;
   Grid truth_{};
   Grid rest_{};  // 0 round the marker
 };

@@ -19,10 +19,10 @@ namespace runmark {
 /// What a pipeline tells the preprocess and contour cores.
 struct ContourRules {
   std::uint8_t filter_cases = filter_none;
-  bool drop_specks = false;  ///< without a filter: single pixels, whose contours the limits drop
   Connectivity connectivity = Connectivity::four;
   ChainLimits chains;
   std::size_t records = 65535;  ///< crack runs alive at once
+  bool drop_specks = false;     ///< without a filter: single pixels, whose contours the limits drop
 };
 
 /// Bit rows in, closed chains out: the preprocess and contour cores over one stream of rows.
@@ -53,8 +53,8 @@ class ContourScan {
   /// Where the next row is to be written before `advance`.
   [[nodiscard]] BitWord* next_row() { return raw_[2].data(); }
 
-  /// Takes the row written to next_row. The chains it closes go to `sink`. Where rows are cleaned the contours
-  /// run one row late, since a row is cleaned when the row below it is in.
+  /// Takes the row written to next_row. The chains it closes go to `sink`. Where rows are cleaned the
+  /// contours run one row late, since a row is cleaned when the row below it is in.
   template <class Sink>
   void advance(Sink&& sink) {
     clear_border(raw_[2].data(), width_, y_, height_);

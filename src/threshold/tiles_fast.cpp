@@ -93,7 +93,8 @@ HWY_INLINE void LevelsAt(D d, const ThreeBands& bands, std::size_t tile, const T
       hn::Min(hn::Min(hn::Sub(lack, Part<2>(d, lack)), hn::Sub(Part<2>(d, range), Part<4>(d, range))), rise);
   const auto level = hn::Sub(hn::Add(low, rise), fall);
   const auto dim_contrast = hn::Set(d, static_cast<std::uint8_t>(rule.dim_contrast));
-  const auto limit = hn::Min(hn::Max(low, dim_contrast), hn::Set(d, static_cast<std::uint8_t>(rule.contrast)));
+  const auto limit =
+      hn::Min(hn::Max(low, dim_contrast), hn::Set(d, static_cast<std::uint8_t>(rule.contrast)));
   hn::StoreU(hn::IfThenZeroElse(hn::Lt(range, limit), level), d, levels + tile);
 }
 
