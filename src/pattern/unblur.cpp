@@ -16,8 +16,8 @@ using Grid = std::array<float, stride * stride>;
 struct Kernel {
   float across[3];
   float down[3];
-  float shares[3][3];  // down by across
-  float energy = 0;    // the sum of the shares' squares
+  float shares[3][3] = {};  // down by across
+  float energy = 0;         // the sum of the shares' squares
 
   Kernel(float a, float d) : across{a, 1 - 2 * a, a}, down{d, 1 - 2 * d, d} {
     for (int j = 0; j < 3; ++j) {
