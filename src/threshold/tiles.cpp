@@ -99,10 +99,9 @@ void spread_light(const TileLight& light, int tiles, TileLight& spread) {
   }
 }
 
-void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels,
-                 std::size_t first) {
+void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels) {
   const auto& [above, own, below] = bands;
-  for (std::size_t tile = first; tile < static_cast<std::size_t>(tiles); ++tile) {
+  for (std::size_t tile = 0; tile < static_cast<std::size_t>(tiles); ++tile) {
     const int low = least(least(above->lowest[tile], own->lowest[tile]), below->lowest[tile]);
     const int high = greatest(greatest(above->highest[tile], own->highest[tile]), below->highest[tile]);
     const int mean = mean_of(mean_of(above->mean[tile], below->mean[tile]), own->mean[tile]);

@@ -53,9 +53,7 @@ using ThreeBands = std::array<const TileLight*, 3>;
 /// tiles round it differ by less than the rule's contrast. In the dark less is enough, since paper is still
 /// twice as light as ink. Where most is dark, which the tiles' mean tells, the level is lower, by three
 /// sixteenths of the way at most: thin white lines between dark shapes last.
-/// @param first  the tile to begin with
-void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels,
-                 std::size_t first = 0);
+void tile_levels(const ThreeBands& bands, int tiles, const TileRule& rule, std::uint8_t* levels);
 
 /// Turns a grey row into bits by its band's levels.
 void threshold_row(const std::uint8_t* grey, int width, const std::uint8_t* levels, BitWord* bits);
