@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "bench/cpu_clock.h"
 #include "bench/speed/workers.h"
@@ -13,6 +14,7 @@
 #include "pipeline/octave.h"
 #include "pipeline/row_store.h"
 #include "pipeline/scale_rules.h"
+#include "preprocess/run_scan.h"
 
 namespace runmark::bench {
 namespace {
@@ -26,15 +28,12 @@ class BitScan {
         rules_(rules),
         crack_runs_(crack_runs),
         threshold_(width),
-        runs_(max_crack_runs(width) + fast::crack_runs_slack) {
-    for (auto& row : bits_) row.resize(bit_words(width));
-  }
+        scan_(width, rules.contours.preprocess) {}
 
   void begin_frame() {
     rows_ = 0;
-    y_ = 0;
     threshold_.begin_frame(width_, rules_.tiles);
-    for (auto& row : bits_) std::ranges::fill(row, BitWord{0});
+    scan_.begin_frame(width_, height_);
   }
 
   void push(const std::uint8_t* grey) {
@@ -53,12 +52,9 @@ class BitScan {
 
  private:
   void follow(std::size_t rows) {
-    for (std::size_t i = 0; i < rows; ++i, ++y_) {
-      std::swap(bits_[0], bits_[1]);
-      fast::threshold_row(waiting_[i], width_, threshold_.levels(), bits_[1].data());
-      if (!crack_runs_) continue;
-      clear_border(bits_[1].data(), width_, y_, height_);
-      fast::find_crack_runs(bits_[0].data(), bits_[1].data(), width_, rules_.contours.connectivity, runs_);
+    for (std::size_t i = 0; i < rows; ++i) {
+      fast::threshold_row(waiting_[i], width_, threshold_.levels(), scan_.next_row());
+      if (crack_runs_) scan_.advance([](int, const BitWord*, std::span<const CrackRun>) {});
     }
   }
 
@@ -67,12 +63,10 @@ class BitScan {
   ScaleRules rules_;
   bool crack_runs_;
   int rows_ = 0;
-  int y_ = 0;
   TileBand fresh_{};
   TileBand waiting_{};
   TileThreshold threshold_;
-  std::array<std::vector<BitWord>, 2> bits_;  // above, current
-  std::vector<CrackRun> runs_;
+  RunScan scan_;
 };
 
 /// Hands every row of every scale to `push(level, row)`, halving as the default pipeline does.

@@ -47,7 +47,7 @@ inline FrameChains plain_chains(const PixelImage& image, const ScanSettings& set
   limits.min_height = static_cast<std::uint16_t>(settings.min_height);
   limits.holes = settings.holes;
   const auto connectivity = settings.eight ? Connectivity::eight : Connectivity::four;
-  ContourScan scan(image.width(), {settings.cases, connectivity, limits, records});
+  ContourScan scan(image.width(), {{settings.cases, connectivity}, limits, records});
   FrameChains result;
   scan.begin_frame(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y) {

@@ -63,12 +63,12 @@ inline runmark_settings settings_of(const Options& options, const Dictionary& di
   runmark_settings settings{};
   settings.width = static_cast<std::uint16_t>(width);
   settings.height = static_cast<std::uint16_t>(height);
-  settings.filter = rules.filter_cases;
+  settings.filter = rules.preprocess.filter_cases;
   settings.max_turns = static_cast<std::uint8_t>(rules.chains.max_turns);
   settings.min_height = rules.chains.min_height;
   settings.max_errors = static_cast<std::uint8_t>(corrected_bits(options, dictionary));
   settings.control = control;
-  if (rules.connectivity == Connectivity::eight) settings.control |= RUNMARK_CONTROL_EIGHT;
+  if (rules.preprocess.connectivity == Connectivity::eight) settings.control |= RUNMARK_CONTROL_EIGHT;
   if (rules.chains.holes) settings.control |= RUNMARK_CONTROL_HOLES;
   settings.frame_address = AxiMemory::base;
   if (hardware) {

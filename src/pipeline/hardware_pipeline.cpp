@@ -19,8 +19,8 @@ HardwarePipeline::HardwarePipeline(const Options& options, const std::vector<Dic
 
 ContourRules HardwarePipeline::contour_rules(const Options& options, std::size_t records) {
   ContourRules rules;
-  rules.filter_cases = or_own(options.filter, filter_none);
-  rules.connectivity = or_own(options.connectivity, Connectivity::four);
+  rules.preprocess.filter_cases = or_own(options.filter, filter_none);
+  rules.preprocess.connectivity = or_own(options.connectivity, Connectivity::four);
   rules.chains.holes = options.inverted;
   rules.chains.min_height = static_cast<std::uint16_t>(std::min(options.min_marker_size / 2, 65535.0));
   rules.chains.max_records = 65535;

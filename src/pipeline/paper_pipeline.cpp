@@ -50,8 +50,8 @@ PaperPipeline::PaperPipeline(const Options& options, const std::vector<Dictionar
 
 ContourRules PaperPipeline::contour_rules(const Options& options, std::size_t records) {
   ContourRules rules;
-  rules.filter_cases = or_own(options.filter, filter_all);
-  rules.connectivity = or_own(options.connectivity, Connectivity::eight);
+  rules.preprocess.filter_cases = or_own(options.filter, filter_all);
+  rules.preprocess.connectivity = or_own(options.connectivity, Connectivity::eight);
   rules.chains.holes = options.inverted;
   rules.chains.min_height = static_cast<std::uint16_t>(std::min(options.min_marker_size / 2, 65535.0));
   rules.records = records;

@@ -24,12 +24,12 @@ ScaleRules scale_rules(const Options& options, int level, bool holes) {
   ScaleRules rules;
   rules.tiles = {options.min_contrast, level == 0 ? full_size_share : half_size_share,
                  std::max(options.min_contrast * 2 / 5, 1)};
-  rules.contours.filter_cases = or_own(options.filter, filter_none);
-  rules.contours.connectivity = or_own(options.connectivity, Connectivity::four);
+  rules.contours.preprocess.filter_cases = or_own(options.filter, filter_none);
+  rules.contours.preprocess.connectivity = or_own(options.connectivity, Connectivity::four);
   rules.contours.chains.holes = holes;
   rules.contours.chains.min_height = static_cast<std::uint16_t>(std::min(size / 2, 65535.0));
   // Cleaned rows come one later: at the half sizes a marker would wait too long for so few specks.
-  rules.contours.drop_specks = level == 0 && rules.contours.chains.min_height > 1;
+  rules.contours.preprocess.drop_specks = level == 0 && rules.contours.chains.min_height > 1;
   rules.quads.min_area = size * size * 0.8;  // the threshold may shrink a small square
   rules.quads.max_area = options.max_marker_size / scale * (options.max_marker_size / scale) * 1.2;
   rules.quads.min_side = size / 3;

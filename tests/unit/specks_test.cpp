@@ -57,8 +57,8 @@ std::vector<std::string> tall_contours(const Picture& picture, Connectivity conn
   const int width = static_cast<int>(picture[0].size());
   const int height = static_cast<int>(picture.size());
   ContourRules rules;
-  rules.drop_specks = drop;
-  rules.connectivity = connectivity;
+  rules.preprocess.drop_specks = drop;
+  rules.preprocess.connectivity = connectivity;
   rules.chains.min_height = 2;
   ContourScan scan(width, rules);
   scan.begin_frame(width, height);

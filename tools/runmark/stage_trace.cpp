@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "corner/corner_state_machine.h"
 #include "corner/quad_from_chain.h"
@@ -14,6 +15,7 @@
 #include "pipeline/hardware_pipeline.h"
 #include "pipeline/paper_pipeline.h"
 #include "pipeline/scale_rules.h"
+#include "preprocess/run_scan.h"
 #include "sample_grid.h"
 #include "threshold/fixed_threshold.h"
 #include "threshold/grey.h"
@@ -111,12 +113,15 @@ BitImage threshold_in_integers(const cv::Mat& grey, int min_contrast) {
   return bits;
 }
 
-BitImage preprocess(const BitImage& bits, const cv::Size& size, std::uint8_t cases) {
-  BitImage bordered = bits;
-  for (int y = 0; y < size.height; ++y) clear_border(bordered.row(y), size.width, y, size.height);
-  BitImage result = bordered;
-  for (int y = 1; cases != 0 && y + 1 < size.height; ++y) {
-    filter_row(bordered.row(y - 1), bordered.row(y), bordered.row(y + 1), size.width, cases, result.row(y));
+BitImage preprocess(const BitImage& bits, const cv::Size& size, const PreprocessRules& rules) {
+  BitImage result(size.width, size.height);
+  RunScan scan(size.width, rules);
+  scan.begin_frame(size.width, size.height);
+  for (int y = 0; y < size.height; ++y) {
+    std::copy_n(bits.row(y), bit_words(size.width), scan.next_row());
+    scan.advance([&](int done, const BitWord* row, std::span<const CrackRun>) {
+      std::copy_n(row, bit_words(size.width), result.row(done));
+    });
   }
   return result;
 }
@@ -143,7 +148,7 @@ ScaleTrace follow(const BitImage& bits, const cv::Size& size, int scale, const C
   ScaleTrace result;
   result.scale = scale;
   result.thresholded = bits.picture();
-  result.preprocessed = preprocess(bits, size, rules.filter_cases).picture();
+  result.preprocessed = preprocess(bits, size, rules.preprocess).picture();
   ContourScan scan(size.width, rules);
   scan.begin_frame(size.width, size.height);
   for (int y = 0; y < size.height; ++y) {

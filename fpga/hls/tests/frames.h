@@ -38,7 +38,7 @@ void plain_chains(const PixelImage& image, const Settings& settings, Sink&& sink
   limits.min_height = static_cast<std::uint16_t>(settings.min_height);
   limits.holes = settings.holes;
   const auto connectivity = settings.eight ? Connectivity::eight : Connectivity::four;
-  ContourScan scan(image.width(), {settings.cases, connectivity, limits, max_records});
+  ContourScan scan(image.width(), {{settings.cases, connectivity}, limits, max_records});
   scan.begin_frame(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y) {
     BitWord* row = scan.next_row();

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "marker_scene.h"
 #include "pipeline/contour_scan.h"
-#include "preprocess/border.h"
-#include "preprocess/crack_runs.h"
-#include "preprocess/filter.h"
+#include "preprocess/run_scan.h"
 #include "runmark/options.h"
 #include "threshold/fixed_threshold.h"
 #include "threshold/integer_tiles.h"
@@ -56,33 +56,30 @@ inline BitRows dark_rows(const Scene& scene, const Options& options) {
   return rows;
 }
 
-/// Counts them by the plain cores: filter, crack runs.
+/// Counts them by the preprocess core.
 inline EventCounts count_events(const BitRows& dark, int width, const ContourRules& rules) {
-  const std::vector<BitWord> light(bit_words(width));
-  std::vector<BitWord> above = light;
-  std::vector<BitWord> clean = light;
-  std::vector<CrackRun> runs(max_crack_runs(width));
   EventCounts counts;
-  for (std::size_t y = 0; y < dark.size(); ++y) {
-    filter_row(y == 0 ? light.data() : dark[y - 1].data(), dark[y].data(),
-               y + 1 == dark.size() ? light.data() : dark[y + 1].data(), width, rules.filter_cases,
-               clean.data());
-    const std::size_t found = find_crack_runs(above.data(), clean.data(), width, rules.connectivity, runs);
-    for (std::size_t i = 0; i < found; ++i) {
-      const bool from_above = runs[i].left_above;
-      if (from_above != runs[i].right_above) {
-        ++counts.shifts;
-      } else {
-        ++(from_above ? counts.joins : counts.starts);
+  std::vector<BitWord> above(bit_words(width));
+  RunScan scan(width, rules.preprocess);
+  scan.begin_frame(width, static_cast<int>(dark.size()));
+  for (const auto& next : dark) {
+    std::ranges::copy(next, scan.next_row());
+    scan.advance([&](int, const BitWord* row, std::span<const CrackRun> runs) {
+      for (const CrackRun& run : runs) {
+        if (run.left_above != run.right_above) {
+          ++counts.shifts;
+        } else {
+          ++(run.left_above ? counts.joins : counts.starts);
+        }
       }
-    }
-    for (int x = 1; x < width; ++x) {
-      const bool left = bit_at(clean.data(), x - 1);
-      const bool right = bit_at(clean.data(), x);
-      counts.straights +=
-          left != right && left == bit_at(above.data(), x - 1) && right == bit_at(above.data(), x);
-    }
-    above.swap(clean);
+      for (int x = 1; x < width; ++x) {
+        const bool left = bit_at(row, x - 1);
+        const bool right = bit_at(row, x);
+        counts.straights +=
+            left != right && left == bit_at(above.data(), x - 1) && right == bit_at(above.data(), x);
+      }
+      std::copy_n(row, above.size(), above.begin());
+    });
   }
   return counts;
 }
