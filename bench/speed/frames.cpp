@@ -15,13 +15,13 @@ double FrameSet::markers_per_frame() const {
   return frames.empty() ? 0 : markers / static_cast<double>(frames.size());
 }
 
-Result<FrameSet> standard_frames(const std::string& name, int scenes) {
+Result<FrameSet> standard_frames(const std::string& name, int scenes, int first) {
   const render::StandardSet* set = render::find_standard_set(name);
   if (set == nullptr) return Error{name + ": no such standard set"};
   const auto dictionary = builtin_dictionary("tag36h11");
   if (!dictionary) return Error{dictionary.error()};
   FrameSet result{std::to_string(set->recipe.width) + "x" + std::to_string(set->recipe.height), {}};
-  for (int i = 0; i < scenes; ++i) {
+  for (int i = first; i < first + scenes; ++i) {
     const render::RenderedFrame frame =
         render::render(render::make_scene(set->recipe, *dictionary, render::set_seed(name, 0), i));
     // The detectors get memory of OpenCV's alignment, as a camera would give it.

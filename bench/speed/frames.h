@@ -24,8 +24,8 @@ struct FrameSet {
   [[nodiscard]] double markers_per_frame() const;
 };
 
-/// The first `scenes` scenes of a standard set, rendered now; tag36h11.
-[[nodiscard]] Result<FrameSet> standard_frames(const std::string& set, int scenes);
+/// So many scenes of a standard set from number `first` on, rendered now; tag36h11.
+[[nodiscard]] Result<FrameSet> standard_frames(const std::string& set, int scenes, int first = 0);
 
 /// The images of a truth file, `count` of them spread evenly.
 [[nodiscard]] Result<FrameSet> photo_frames(const std::filesystem::path& truth, int count);

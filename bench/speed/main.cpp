@@ -1,20 +1,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <stdexcept>
 
 #include "bench/cpu_clock.h"
-#include "bench/speed/core_times.h"
-#include "bench/speed/measure.h"
-#include "bench/speed/noise_sweep.h"
-#include "bench/speed/time_model.h"
+#include "bench/speed/report.h"
 #include "evaluate/percentile.h"
 #include "runmark/detector.h"
 
@@ -25,34 +20,16 @@ struct Arguments {
   std::vector<std::string> sets{"vga", "hd", "fullhd", "uhd"};
   int scenes = 6;
   int rounds = 20;
+  int spread = 60;
   std::filesystem::path photos;
   int photo_count = 12;
   std::vector<std::string> noise_sets{"vga"};
   std::filesystem::path json;
 };
 
-/// All that is found out about one set of frames.
-struct Figures {
-  std::vector<Timing> timings;
-  std::vector<CoreTime> cores;      ///< medians over the frames
-  std::vector<FrameWork> work;      ///< of each frame
-  std::optional<NoiseSweep> noise;  ///< at the set's size
-};
-
 int fail(const std::string& message) {
   std::cerr << "runmark-bench: " << message << '\n';
   return 2;
-}
-
-void print_table(const FrameSet& set, const std::vector<Timing>& timings, int rounds) {
-  std::printf("%s: %zu frames, %.1f markers a frame, %d rounds, CPU ms a frame\n", set.name.c_str(),
-              set.frames.size(), set.markers_per_frame(), rounds);
-  std::printf("  %-20s %10s %10s %10s %12s\n", "", "median", "p95", "worst", "to runmark");
-  const double ours = timing_of(timings, "runmark").median();
-  for (const Timing& t : timings) {
-    std::printf("  %-20s %10.4f %10.4f %10.4f %11.3fx\n", t.worker.c_str(), t.median(), t.p95(), t.worst(),
-                t.median() / ours);
-  }
 }
 
 /// The median core times over the frames.
@@ -93,85 +70,23 @@ std::vector<FrameWork> frame_work(const FrameSet& set, int rounds) {
   return result;
 }
 
-void print_cores(const std::vector<CoreTime>& cores) {
-  double sum = 0;
-  for (const CoreTime& core : cores) sum += core.milliseconds;
-  std::printf("  cores:");
-  for (const CoreTime& core : cores)
-    std::printf(" %s %.0f %%", core.core.c_str(), 100 * core.milliseconds / sum);
-  std::printf("\n");
-}
-
-void print_noise(const NoiseSweep& noise, double median) {
-  std::printf("  noise: worst of %zu kinds %.1f times the median; %.2f MB of memory\n", noise.cells.size(),
-              noise.worst() / median, static_cast<double>(noise.memory) / 1e6);
-}
-
-nlohmann::ordered_json to_json(const NoiseSweep& noise, double median) {
-  nlohmann::ordered_json cells = nlohmann::ordered_json::array();
-  for (const NoiseCell& cell : noise.cells) {
-    cells.push_back({{"density", cell.density},
-                     {"granularity", cell.granularity},
-                     {"ms", cell.milliseconds},
-                     {"over_median", cell.milliseconds / median},
-                     {"crack_runs", cell.crack_runs},
-                     {"records_peak", cell.records_peak},
-                     {"dropped_chains", cell.dropped_chains}});
-  }
-  return {{"worst_over_median", noise.worst() / median}, {"memory", noise.memory}, {"cells", cells}};
-}
-
-nlohmann::ordered_json to_json(const FrameSet& set, const Figures& figures, int rounds) {
-  const std::vector<Timing>& timings = figures.timings;
-  const auto median = [&](const char* worker) { return timing_of(timings, worker).median(); };
-  const Timing& ours = timing_of(timings, "runmark");
-  nlohmann::ordered_json entry{{"size", set.name},
-                               {"frames", set.frames.size()},
-                               {"markers_per_frame", set.markers_per_frame()},
-                               {"rounds", rounds},
-                               {"runmark_ms", ours.median()},
-                               {"copy_ratio", ours.median() / median("copy")},
-                               {"opencv_ratio", median("opencv-subpix") / ours.median()},
-                               {"apriltag_ratio", median("apriltag-1") / ours.median()},
-                               {"apriltag_decimate2_ratio", median("apriltag-2") / ours.median()},
-                               {"p95_over_median", ours.p95() / ours.median()},
-                               {"streaming_ratio", median("runmark-streamed") / ours.median()}};
-  for (const Timing& t : timings) {
-    entry["ms"][t.worker] = {{"median", t.median()}, {"p95", t.p95()}, {"worst", t.worst()}};
-  }
-  double sum = 0;
-  for (const CoreTime& core : figures.cores) sum += core.milliseconds;
-  for (const CoreTime& core : figures.cores) entry["core_shares"][core.core] = core.milliseconds / sum;
-  const TimeModel model = fit_time(figures.work);
-  entry["time_model_ns"] = {{"per_pixel", model.per_pixel},
-                            {"per_crack_run", model.per_crack_run},
-                            {"per_marker", model.per_marker},
-                            {"relative_error", model.error}};
-  for (const FrameWork& work : figures.work) {
-    entry["work"].push_back({{"pixels", work.pixels},
-                             {"crack_runs", work.crack_runs},
-                             {"markers", work.markers},
-                             {"ms", work.milliseconds}});
-  }
-  if (figures.noise) entry["noise"] = to_json(*figures.noise, ours.median());
-  return entry;
-}
-
 int run(const Arguments& arguments) {
   cv::setNumThreads(1);
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   std::vector<FrameWork> work;
-  const auto add = [&](const Result<FrameSet>& set, bool with_noise) {
+  const auto add = [&](const Result<FrameSet>& set, const std::string& standard, bool with_noise) {
     if (!set) return fail(set.error());
     const int rounds = arguments.rounds;
-    Figures figures{measure(*set, rounds), median_core_times(*set, rounds), frame_work(*set, rounds), {}};
-    print_table(*set, figures.timings, rounds);
-    print_cores(figures.cores);
+    Figures figures{measure(*set, rounds), {}, median_core_times(*set, rounds), frame_work(*set, rounds), {}};
+    figures.spread = timing_of(figures.timings, "runmark");
+    if (!standard.empty() && arguments.spread > arguments.scenes) {
+      figures.spread = measure_alone(standard, arguments.spread, std::min(rounds, 5)).value();
+    }
     if (with_noise) {
       const cv::Mat& frame = set->frames[0].grey;
       figures.noise = sweep_noise(frame.cols, frame.rows, std::min(rounds, 5));
-      print_noise(*figures.noise, timing_of(figures.timings, "runmark").median());
     }
+    print(*set, figures, rounds);
     work.insert(work.end(), figures.work.begin(), figures.work.end());
     all.push_back(to_json(*set, figures, rounds));
     std::printf("\n");
@@ -180,11 +95,11 @@ int run(const Arguments& arguments) {
   };
   for (const std::string& name : arguments.sets) {
     const bool with_noise = std::ranges::find(arguments.noise_sets, name) != arguments.noise_sets.end();
-    if (const int status = add(standard_frames(name, arguments.scenes), with_noise); status != 0)
+    if (const int status = add(standard_frames(name, arguments.scenes), name, with_noise); status != 0)
       return status;
   }
   if (arguments.photo_count > 0 && std::filesystem::exists(arguments.photos)) {
-    if (const int status = add(photo_frames(arguments.photos, arguments.photo_count), false); status != 0)
+    if (const int status = add(photo_frames(arguments.photos, arguments.photo_count), {}, false); status != 0)
       return status;
   } else if (arguments.photo_count > 0) {
     std::printf("photos: left out, there is no %s\n", arguments.photos.c_str());
@@ -217,6 +132,9 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->check(CLI::IsMember({"vga", "hd", "fullhd", "uhd", "none"}));
   app.add_option("--scenes", arguments.scenes, "scenes of each set")->check(CLI::Range(1, 1000));
+  app.add_option("--spread", arguments.spread,
+                 "scenes of each set on which runmark alone is timed, for its p95 over scenes")
+      ->check(CLI::Range(0, 1000));
   app.add_option("--rounds", arguments.rounds, "times are medians of so many")->check(CLI::Range(1, 10000));
   app.add_option("--photos", arguments.photos, "truth file of the real photos");
   app.add_option("--photo-count", arguments.photo_count, "how many photos, 0 for none")
@@ -241,6 +159,7 @@ int main(int argc, char** argv) {
     arguments.sets = {"vga", "hd", "fullhd"};
     arguments.scenes = 2;
     arguments.rounds = 5;
+    arguments.spread = 0;
     arguments.photo_count = 0;
   }
   std::erase(arguments.sets, "none");

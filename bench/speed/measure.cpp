@@ -17,6 +17,17 @@ double time_of(const Worker& worker) {
 
 constexpr double quick = 20;  // milliseconds
 
+/// The worker's median over the rounds, after one that does not count.
+double median_time_of(const Worker& worker, int rounds) {
+  std::vector<double> times;
+  for (int round = 0; round <= rounds; ++round) {
+    const double taken = time_of(worker);
+    if (round > 0) times.push_back(taken);
+  }
+  std::ranges::sort(times);
+  return percentile(times, 0.5);
+}
+
 }  // namespace
 
 double Timing::median() const { return percentile(milliseconds, 0.5); }
@@ -47,6 +58,17 @@ std::vector<Timing> measure(const FrameSet& set, int rounds) {
   }
   for (Timing& timing : timings) std::ranges::sort(timing.milliseconds);
   return timings;
+}
+
+Result<Timing> measure_alone(const std::string& set, int scenes, int rounds) {
+  Timing timing{"runmark", {}};
+  for (int scene = 0; scene < scenes; ++scene) {
+    const auto frames = standard_frames(set, 1, scene);
+    if (!frames) return Error{frames.error()};
+    timing.milliseconds.push_back(median_time_of(reader_for("runmark", frames->frames[0]), rounds));
+  }
+  std::ranges::sort(timing.milliseconds);
+  return timing;
 }
 
 const Timing& timing_of(const std::vector<Timing>& timings, const std::string& worker) {

@@ -20,6 +20,10 @@ struct Timing {
 /// less than 20 ms is called once more before each turn, so that all find the frame in the caches.
 [[nodiscard]] std::vector<Timing> measure(const FrameSet& set, int rounds);
 
+/// runmark alone on the first `scenes` scenes of a standard set: many tell more of how times spread than the
+/// few that its slow peers take part in.
+[[nodiscard]] Result<Timing> measure_alone(const std::string& set, int scenes, int rounds);
+
 /// The timing of that worker.
 [[nodiscard]] const Timing& timing_of(const std::vector<Timing>& timings, const std::string& worker);
 

@@ -11,12 +11,6 @@
 namespace runmark::bench {
 namespace {
 
-Worker reader(const char* name, const TimedFrame& frame) {
-  const Task task{frame.dictionaries, frame.inverted, frame.grey.size()};
-  std::shared_ptr<Reader> made = find_contender(name)->make(task);
-  return {name, 1, [made, &frame] { static_cast<void>(made->read(frame.grey)); }};
-}
-
 // The usual first step of OpenCV's detectors: a window of 23 pixels, 7 below the local mean.
 cv::Mat binary(const cv::Mat& grey) {
   cv::Mat result;
@@ -46,10 +40,16 @@ Worker streamed(const TimedFrame& frame) {
 
 }  // namespace
 
+Worker reader_for(const char* name, const TimedFrame& frame) {
+  const Task task{frame.dictionaries, frame.inverted, frame.grey.size()};
+  std::shared_ptr<Reader> made = find_contender(name)->make(task);
+  return {name, 1, [made, &frame] { static_cast<void>(made->read(frame.grey)); }};
+}
+
 std::vector<Worker> workers_for(const TimedFrame& frame) {
   std::vector<Worker> workers;
   for (const char* name : {"runmark", "opencv-subpix", "apriltag-1", "apriltag-2"}) {
-    workers.push_back(reader(name, frame));
+    workers.push_back(reader_for(name, frame));
   }
   workers.push_back(streamed(frame));
   auto to = std::make_shared<cv::Mat>(frame.grey.size(), CV_8UC1, cv::Scalar(0));

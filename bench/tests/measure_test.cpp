@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/speed/core_times.h"
+#include "bench/speed/frames.h"
 #include "bench/speed/noise_sweep.h"
 #include "bench/speed/time_model.h"
 
@@ -22,6 +23,14 @@ TEST(Measure, TimesEveryWorkerOnEveryFrame) {
     EXPECT_LE(timing.median(), timing.worst()) << timing.worker;
   }
   EXPECT_LT(timing_of(timings, "copy").median(), timing_of(timings, "apriltag-1").median());
+}
+
+TEST(Measure, TimesRunmarkAloneOnMoreScenes) {
+  const auto timing = measure_alone("vga", 3, 1);
+  ASSERT_TRUE(timing) << timing.error();
+  EXPECT_EQ(timing->milliseconds.size(), 3U);
+  EXPECT_GT(timing->milliseconds.front(), 0);
+  EXPECT_EQ(measure_alone("huge", 1, 1).error(), "huge: no such standard set");
 }
 
 TEST(Measure, CoresAddUpToTheDetector) {
