@@ -23,6 +23,16 @@ struct Line {
                (a.normal.x * b.offset - b.normal.x * a.offset) / sine};
 }
 
+/// Sums over unit cracks, relative to a line fit's origin: how many, and of x, y, xx, xy and yy.
+struct CrackMoments {
+  double n = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+};
+
 /// Moments of cracks: the total least squares line through them without keeping them.
 /// Coordinates are taken relative to an origin near the points, so that nothing cancels.
 class LineFit {
@@ -36,13 +46,22 @@ class LineFit {
     const double y = (a.y + b.y) / 2 - origin_.y;
     const double spread =
         (length * length * length - length) / 12;  // of `length` unit steps about their mean
-    add_moments(length, length * x, length * y, length * x * x + (a.y == b.y ? spread : 0), length * x * y,
-                length * y * y + (a.x == b.x ? spread : 0));
+    add_moments({length, length * x, length * y, length * x * x + (a.y == b.y ? spread : 0), length * x * y,
+                 length * y * y + (a.x == b.x ? spread : 0)});
+  }
+
+  void add_moments(const CrackMoments& m) {
+    sum_.n += m.n;
+    sum_.x += m.x;
+    sum_.y += m.y;
+    sum_.xx += m.xx;
+    sum_.xy += m.xy;
+    sum_.yy += m.yy;
   }
 
   /// The line with the least squared distances; nothing with fewer than two points' weight.
   [[nodiscard]] std::optional<Line> line() const {
-    if (n_ <= 0) return std::nullopt;
+    if (sum_.n <= 0) return std::nullopt;
     const Spread s = spread();
     if (s.root <= 0) return std::nullopt;
     // Direction of the larger eigenvalue, by the better conditioned of two formulas.
@@ -50,12 +69,12 @@ class LineFit {
     const double length = std::sqrt(along.x * along.x + along.y * along.y);
     if (length <= 0) return std::nullopt;
     const Point normal{-along.y / length, along.x / length};
-    return Line{normal, normal.x * (sx_ / n_ + origin_.x) + normal.y * (sy_ / n_ + origin_.y)};
+    return Line{normal, normal.x * (sum_.x / sum_.n + origin_.x) + normal.y * (sum_.y / sum_.n + origin_.y)};
   }
 
   /// Mean squared distance from the fitted line.
   [[nodiscard]] double mean_square() const {
-    if (n_ <= 0) return 0;
+    if (sum_.n <= 0) return 0;
     const Spread s = spread();
     const double smaller = s.mean - s.root;
     return smaller > 0 ? smaller : 0;
@@ -71,31 +90,17 @@ class LineFit {
   };
 
   [[nodiscard]] Spread spread() const {
-    const double mx = sx_ / n_;
-    const double my = sy_ / n_;
-    const double xx = sxx_ / n_ - mx * mx;
-    const double xy = sxy_ / n_ - mx * my;
-    const double yy = syy_ / n_ - my * my;
+    const double mx = sum_.x / sum_.n;
+    const double my = sum_.y / sum_.n;
+    const double xx = sum_.xx / sum_.n - mx * mx;
+    const double xy = sum_.xy / sum_.n - mx * my;
+    const double yy = sum_.yy / sum_.n - my * my;
     const double half = (xx - yy) / 2;
     return {(xx + yy) / 2, half, xy, std::sqrt(half * half + xy * xy)};
   }
 
-  void add_moments(double n, double x, double y, double xx, double xy, double yy) {
-    n_ += n;
-    sx_ += x;
-    sy_ += y;
-    sxx_ += xx;
-    sxy_ += xy;
-    syy_ += yy;
-  }
-
   Point origin_;
-  double n_ = 0;
-  double sx_ = 0;
-  double sy_ = 0;
-  double sxx_ = 0;
-  double sxy_ = 0;
-  double syy_ = 0;
+  CrackMoments sum_;
 };
 
 }  // namespace runmark

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "corner/line_fit.h"
+#include "corner/side_cracks.h"
 
 namespace runmark {
 namespace {
@@ -42,7 +42,7 @@ bool may_be_quad(const Shape& s) {
   return 5 * s.area >= s.width * s.height && s.perimeter <= 6 * (s.width + s.height) + 8;
 }
 
-/// Clockwise whichever way the chain goes.
+/// Clockwise whichever way the chain goes. The first vertex stands once more behind the last.
 void draw(const ClosedChain& chain, Outline& outline) {
   outline.count = 2 * static_cast<std::size_t>(chain.records);
   std::size_t i = chain.hole ? outline.count - 1 : 0;
@@ -55,6 +55,8 @@ void draw(const ClosedChain& chain, Outline& outline) {
     outline.y[i] = static_cast<float>(y);
     i += step;
   });
+  outline.x[outline.count] = outline.x[0];
+  outline.y[outline.count] = outline.y[0];
 }
 
 /// Four vertices that span a large area, in the order of the outline. Starts from the two ends of a long
@@ -96,41 +98,13 @@ std::optional<Line> side_line(const Outline& outline, std::size_t from, std::siz
   const double length = std::sqrt(u.x * u.x + u.y * u.y);
   if (length <= 0) return std::nullopt;
   const double margin = std::min(0.15 * length, 1.0 + 0.05 * length);
-  const double low = margin * length;
-  const double high = (length - margin) * length;
-  const double band = 2.5 * tolerance * length;
+  const SideWay way{a, u, margin * length, (length - margin) * length, 2.5 * tolerance * length};
   constexpr double least_covered = 0.4;  // of the way
-  double covered = 0;
-  LineFit fit({(a.x + b.x) / 2, (a.y + b.y) / 2});
-  const std::size_t count = outline.count;
-  for (std::size_t i = from; i != to;) {
-    const std::size_t next = i + 1 == count ? 0 : i + 1;
-    Point p = crack_point(outline, i);
-    Point q = crack_point(outline, next);
-    i = next;
-    // Clip the run to the inner part of the side, by its share along the side.
-    const double sp = (p.x - a.x) * u.x + (p.y - a.y) * u.y;
-    const double sq = (q.x - a.x) * u.x + (q.y - a.y) * u.y;
-    if (std::max(sp, sq) < low || std::min(sp, sq) > high) continue;
-    if (std::min(sp, sq) < low || std::max(sp, sq) > high) {
-      const double rise = sq - sp;
-      const double t0 = std::clamp(((rise > 0 ? low : high) - sp) / rise, 0.0, 1.0);
-      const double t1 = std::clamp(((rise > 0 ? high : low) - sp) / rise, 0.0, 1.0);
-      if (t1 <= t0) continue;
-      const Point d{q.x - p.x, q.y - p.y};
-      q = {p.x + t1 * d.x, p.y + t1 * d.y};
-      p = {p.x + t0 * d.x, p.y + t0 * d.y};
-    }
-    const auto off = [&](Point v) { return (v.x - a.x) * u.y - (v.y - a.y) * u.x; };
-    const double forward = (q.x - p.x) * u.x + (q.y - p.y) * u.y;
-    if (std::fabs(off(p) + off(q)) > 2 * band || std::fabs(off(q) - off(p)) > std::max(band, forward))
-      continue;
-    covered += forward;
-    fit.add_cracks(p, q);
-  }
-  if (covered < least_covered * (high - low)) return std::nullopt;
-  if (fit.mean_square() > tolerance * tolerance) return std::nullopt;
-  std::optional<Line> line = fit.line();
+  SideCracks cracks{LineFit({(a.x + b.x) / 2, (a.y + b.y) / 2})};
+  add_side_cracks(outline, from, to, way, cracks);
+  if (cracks.covered < least_covered * (way.high - way.low)) return std::nullopt;
+  if (cracks.fit.mean_square() > tolerance * tolerance) return std::nullopt;
+  std::optional<Line> line = cracks.fit.line();
   if (!line) return std::nullopt;
   // A side whose line does not run from corner to corner was bent elsewhere.
   const double along = std::fabs(line->normal.x * u.x + line->normal.y * u.y);
