@@ -10,8 +10,28 @@
 #include "stages_command.h"
 #include "view_command.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace {
+
+/// Frames come and go, megabytes each, by several threads. To give their memory back to the system each time
+/// and to get it anew, page by page, takes as long as to look for markers in them.
+void keep_memory_of_frames() {
+#ifdef __GLIBC__
+  constexpr int megabyte = 1 << 20;
+  if (mallopt(M_MMAP_THRESHOLD, 256 * megabyte) == 0)
+    mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // before 2.35
+  mallopt(M_TRIM_THRESHOLD, 512 * megabyte);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace runmark::cli;
+  keep_memory_of_frames();
   CLI::App app("Finds square fiducial markers in images, videos and camera streams", "runmark");
   app.set_version_flag("--version", "runmark " RUNMARK_VERSION);
   app.require_subcommand(0, 1);
