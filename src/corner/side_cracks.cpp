@@ -114,7 +114,8 @@ void AddStretch(const Outline& outline, std::size_t from, std::size_t to, const 
     for (unsigned lanes = bytes[0]; lanes != 0; lanes &= lanes - 1) {
       const std::size_t at = i + static_cast<std::size_t>(std::countr_zero(lanes));
       const auto vertex = [&](std::size_t v) {
-        return Point{double{outline.x[v]} - (way.start.x + 0.5), double{outline.y[v]} - (way.start.y + 0.5)};
+        return Point{static_cast<double>(outline.x[v]) - (way.start.x + 0.5),
+                     static_cast<double>(outline.y[v]) - (way.start.y + 0.5)};
       };
       add_cut_run(vertex(at), vertex(at + 1), way, cracks);
     }

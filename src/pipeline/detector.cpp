@@ -3,6 +3,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -125,17 +126,22 @@ class Detector::Impl {
     if (rows_in_ > 0 && (rows.step != step_ || rows.format != format_)) return Status::bad_view;
     step_ = rows.step;
     format_ = rows.format;
-    // Processors foresee how a row goes on, but not where the next one is. (The loop stands here because
+    // Processors foresee how a row goes on, but not where the next one is; it is taken to be as far from this
+    // one as this from the last, which does no harm where it is wrong. (The loop stands here because
     // compilers take a function that only fetches for one without effect.)
     const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(region_.x) * step_;
     const std::ptrdiff_t right = left + static_cast<std::ptrdiff_t>(region_.width - 1) * step_;
     const std::ptrdiff_t line = std::max(cache_line, std::abs(step_));
     for (int i = 0; i < rows.height; ++i) {
-      if (i + rows_ahead < rows.height) {
-        const std::uint8_t* row = rows.row(i + rows_ahead);
-        for (auto at = std::min(left, right); at <= std::max(left, right); at += line)
-          hwy::Prefetch(row + at);
+      const auto address = reinterpret_cast<std::uintptr_t>(rows.row(i));
+      const std::uintptr_t ahead = address + rows_ahead * (address - last_row_);
+      if (rows_in_ > 0 && rows_in_ + rows_ahead < frame_height_) {
+        for (auto at = std::min(left, right); at <= std::max(left, right); at += line) {
+          // NOLINTNEXTLINE(performance-no-int-to-ptr): an address to fetch from, not to read
+          hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(ahead + static_cast<std::uintptr_t>(at)));
+        }
       }
+      last_row_ = address;
       push_row(rows.row(i), copy);
     }
     return Status::ok;
@@ -188,6 +194,7 @@ class Detector::Impl {
   int frame_width_ = 0;
   int frame_height_ = 0;
   int rows_in_ = 0;
+  std::uintptr_t last_row_ = 0;  // where it stands
   int step_ = 1;
   PixelFormat format_ = PixelFormat::grey;
   bool streaming_ = false;

@@ -31,7 +31,7 @@ Outline staircase(std::mt19937& random, std::size_t runs, std::size_t first) {
 }
 
 Point crack_point(const Outline& outline, std::size_t i) {
-  return {double{outline.x[i]} - 0.5, double{outline.y[i]} - 0.5};
+  return {static_cast<double>(outline.x[i]) - 0.5, static_cast<double>(outline.y[i]) - 0.5};
 }
 
 SideWay way_between(const Outline& outline, std::size_t from, std::size_t to) {
