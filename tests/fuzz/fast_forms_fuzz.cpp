@@ -1,10 +1,9 @@
 // The plain form of each core against the fast one, in every vector extension of this processor, on any rows;
 // and the whole detector in each of them.
 
-#include <hwy/highway.h>
-
 #include <vector>
 
+#include "../unit/support/vector_targets.h"
 #include "detectors.h"
 #include "pipeline/halve.h"
 #include "pipeline/halve_fast.h"
@@ -22,27 +21,6 @@ using Words = std::vector<BitWord>;
 
 constexpr int most_width = 200;
 constexpr int most_height = 64;
-
-const std::vector<std::int64_t>& targets() {
-  static const std::vector<std::int64_t> all = [] {
-    std::vector<std::int64_t> found;
-    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-      found.push_back(left & -left);
-    return found;
-  }();
-  return all;
-}
-
-template <class Work>
-void on_every_target(Work&& work) {
-  for (const std::int64_t target : targets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    work();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 /// Rows out of the fuzzer's bytes, each in memory of exactly its size.
 class Rows {
@@ -74,7 +52,7 @@ void compare_grey(Rows& rows, int width, int step, PixelFormat format) {
   Bytes plain(static_cast<std::size_t>(width));
   Bytes quick = plain;
   grey_row(pixels.data(), width, step, format, plain.data());
-  on_every_target([&] {
+  test::on_every_vector_target([&](std::int64_t) {
     fast::grey_row(pixels.data(), width, step, format, quick.data());
     expect(quick == plain, "grey_row");
   });
@@ -103,7 +81,7 @@ void compare_tiles(Rows& rows, int width, const TileRule& rule) {
   tile_light(band, width, light);
   tile_levels(bands, static_cast<int>(tiles), rule, levels.data());
   threshold_row(grey[0].data(), width, levels.data(), bits.data());
-  on_every_target([&] {
+  test::on_every_vector_target([&](std::int64_t) {
     TileLight quick_light(tiles);
     Bytes quick_levels(tiles);
     Words quick_bits(bit_words(width));
@@ -125,7 +103,7 @@ void compare_halves(Rows& rows, int width) {
   Bytes plain(count);
   Bytes quick(count);
   halve_rows(upper.data(), lower.data(), width, plain.data());
-  on_every_target([&] {
+  test::on_every_vector_target([&](std::int64_t) {
     fast::halve_rows(upper.data(), lower.data(), width, quick.data());
     expect(quick == plain, "halve_rows");
   });
@@ -155,7 +133,7 @@ void compare_detectors(Rows& rows, int width, int height, const Options& chosen,
                        const std::vector<Dictionary>& codes) {
   const Bytes grey = rows.bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::optional<std::vector<Marker>> wanted;
-  on_every_target([&] {
+  test::on_every_vector_target([&](std::int64_t) {
     Detector reader = detector(chosen, codes);
     const Detection found = reader.detect(ImageView::grey(grey.data(), width, height, width));
     expect(found.status == Status::ok, "the frame is read");

@@ -1,13 +1,15 @@
 #include "pattern/cell_samples.h"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "support/vector_targets.h"
 
 namespace runmark {
 namespace {
@@ -80,13 +82,9 @@ TEST(CellSamples, AreTheSameOnEveryVectorExtension) {
   const RandomFrame random_frame(64, 48, PixelFormat::grey, 1, random);
   const Homography place(random_corners(random, 50), 6);
   const std::vector<float> best = samples(random_frame.frame, place, points);
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    EXPECT_EQ(samples(random_frame.frame, place, points), best) << hwy::TargetName(left & -left);
-    hwy::SetSupportedTargetsForTest(0);
-  }
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  test::on_every_vector_target([&](std::int64_t target) {
+    EXPECT_EQ(samples(random_frame.frame, place, points), best) << hwy::TargetName(target);
+  });
 }
 
 TEST(CellSamples, ComeFromInsideTheFrameWhereverTheCornersAre) {

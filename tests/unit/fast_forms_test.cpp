@@ -17,6 +17,7 @@
 #include "pipeline/halve_fast.h"
 #include "preprocess/crack_runs_fast.h"
 #include "preprocess/specks_fast.h"
+#include "support/vector_targets.h"
 #include "threshold/grey_fast.h"
 #include "threshold/tiles_fast.h"
 
@@ -27,14 +28,6 @@ using Bytes = std::vector<std::uint8_t>;
 using Words = std::vector<BitWord>;
 
 constexpr int widths[] = {1, 2, 3, 7, 15, 16, 17, 31, 33, 63, 64, 65, 127, 128, 129, 160, 333, 640, 1921};
-
-std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> all;
-  // Those compiled in that this processor has; SCALAR is the plain form itself.
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-    all.push_back(left & -left);
-  return all;
-}
 
 Bytes random_bytes(std::mt19937& random, std::size_t count) {
   Bytes bytes(count);
@@ -62,8 +55,8 @@ Words random_bits(std::mt19937& random, int width, unsigned density) {
 /// Runs each test once for every extension this processor has.
 class FastForms : public testing::TestWithParam<std::int64_t> {
  protected:
-  void SetUp() override { choose(GetParam()); }
-  void TearDown() override { choose(0); }
+  void SetUp() override { test::use_vector_targets(GetParam()); }
+  void TearDown() override { test::use_vector_targets(0); }
 
   template <class Plain, class Fast>
   static void print_speed(const char* what, Plain&& plain, Fast&& fast) {
@@ -81,12 +74,6 @@ class FastForms : public testing::TestWithParam<std::int64_t> {
     const double quick = time_of(fast);
     std::printf("  %-8s %-16s plain %7.3f us a row, fast %7.3f us, %5.1f times\n",
                 hwy::TargetName(GetParam()), what, slow, quick, slow / quick);
-  }
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 };
 
@@ -246,7 +233,7 @@ TEST_P(FastForms, DropSpecks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, FastForms, testing::ValuesIn(targets()),
+INSTANTIATE_TEST_SUITE_P(Targets, FastForms, testing::ValuesIn(test::vector_targets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 }  // namespace

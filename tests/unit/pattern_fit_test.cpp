@@ -1,10 +1,10 @@
 #include "pattern/pattern_fit.h"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -13,6 +13,7 @@
 #include "pattern/marker_layout.h"
 #include "pattern/normal_equations.h"
 #include "support/picture.h"
+#include "support/vector_targets.h"
 
 namespace runmark {
 namespace {
@@ -200,15 +201,11 @@ TEST(NormalEquations, AreTheSameOnEveryVectorExtension) {
     o.values[NormalEquations::Observation::rest] = number(random);
   }
   std::vector<NormalEquations::Step> steps;
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  test::on_every_vector_target([&](std::int64_t) {
     NormalEquations equations;
     for (int row = 0; row < 3; ++row) equations.add(seen.data(), seen.size());
     ASSERT_TRUE(equations.solve(steps.emplace_back()));
-    hwy::SetSupportedTargetsForTest(0);
-  }
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
   for (const auto& step : steps) EXPECT_EQ(step, steps[0]);
 }
 

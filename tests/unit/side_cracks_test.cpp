@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "support/vector_targets.h"
 
 namespace runmark {
 namespace {
@@ -30,22 +33,12 @@ Outline staircase(std::mt19937& random, std::size_t runs, std::size_t first) {
   return outline;
 }
 
-Point crack_point(const Outline& outline, std::size_t i) {
-  return {static_cast<double>(outline.x[i]) - 0.5, static_cast<double>(outline.y[i]) - 0.5};
-}
-
 SideWay way_between(const Outline& outline, std::size_t from, std::size_t to) {
   const Point a = crack_point(outline, from);
   const Point b = crack_point(outline, to);
   const Point u{b.x - a.x, b.y - a.y};
   const double length = std::sqrt(u.x * u.x + u.y * u.y);
   return {a, u, 1.3 * length, (length - 1.3) * length, 2.5 * length};
-}
-
-SideCracks cracks_of(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way) {
-  SideCracks cracks{LineFit({way.start.x + way.along.x / 2, way.start.y + way.along.y / 2})};
-  add_side_cracks(outline, from, to, way, cracks);
-  return cracks;
 }
 
 /// The definition, run by run.
@@ -81,22 +74,11 @@ SideCracks plain_cracks_of(const Outline& outline, std::size_t from, std::size_t
   return cracks;
 }
 
-class SideCracksOnEveryTarget : public ::testing::TestWithParam<std::int64_t> {
+class SideCracksOnEveryTarget : public testing::TestWithParam<std::int64_t> {
  protected:
-  void SetUp() override { choose(GetParam()); }
-  void TearDown() override { choose(0); }
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
+  void SetUp() override { test::use_vector_targets(GetParam()); }
+  void TearDown() override { test::use_vector_targets(0); }
 };
-
-std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> all;
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
-    all.push_back(left & -left);
-  return all;
-}
 
 TEST_P(SideCracksOnEveryTarget, AreThoseOfTheDefinition) {
   std::mt19937 random(5);
@@ -108,7 +90,7 @@ TEST_P(SideCracksOnEveryTarget, AreThoseOfTheDefinition) {
       const std::size_t from = (first + 1) % runs;
       const std::size_t to = (first + runs - 2) % runs;
       const SideWay way = way_between(outline, from, to);
-      const SideCracks cracks = cracks_of(outline, from, to, way);
+      const SideCracks cracks = side_cracks(outline, from, to, way);
       const SideCracks plain = plain_cracks_of(outline, from, to, way);
       ASSERT_NEAR(cracks.covered, plain.covered, 1e-6) << runs;
       if (plain.covered < 0.3 * (way.high - way.low)) continue;
@@ -124,21 +106,21 @@ TEST_P(SideCracksOnEveryTarget, AreThoseOfTheDefinition) {
   EXPECT_GT(compared, 100);
 }
 
-TEST_P(SideCracksOnEveryTarget, AreTheSameToTheLastBit) {
+TEST(SideCracks, AreTheSameOnEveryVectorExtension) {
   std::mt19937 random(6);
   for (std::size_t runs = 6; runs < 300; runs += 7) {
     const Outline outline = staircase(random, runs, 0);
     const SideWay way = way_between(outline, 0, runs - 1);
-    const SideCracks cracks = cracks_of(outline, 0, runs - 1, way);
-    choose(targets().back());
-    const SideCracks others = cracks_of(outline, 0, runs - 1, way);
-    choose(GetParam());
-    EXPECT_EQ(cracks.covered, others.covered) << runs;
-    EXPECT_EQ(cracks.fit.mean_square(), others.fit.mean_square()) << runs;
+    const SideCracks best = side_cracks(outline, 0, runs - 1, way);
+    test::on_every_vector_target([&](std::int64_t target) {
+      const SideCracks cracks = side_cracks(outline, 0, runs - 1, way);
+      EXPECT_EQ(cracks.covered, best.covered) << runs << hwy::TargetName(target);
+      EXPECT_EQ(cracks.fit.mean_square(), best.fit.mean_square()) << runs << hwy::TargetName(target);
+    });
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTargets, SideCracksOnEveryTarget, ::testing::ValuesIn(targets()),
+INSTANTIATE_TEST_SUITE_P(AllTargets, SideCracksOnEveryTarget, testing::ValuesIn(test::vector_targets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
 }  // namespace
