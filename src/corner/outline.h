@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "runmark/marker.h"
+
 namespace runmark {
 
 /// The vertices of a chain's polygon, clockwise in the image: crack x and crack line y, kept as coordinates
@@ -17,6 +19,11 @@ struct Outline {
   std::vector<float> y;
   std::size_t count = 0;
 };
+
+/// A vertex in the coordinates of pixels: crack x lies half a pixel before the middle of pixel x.
+[[nodiscard]] inline Point crack_point(const Outline& outline, std::size_t vertex) {
+  return {static_cast<double>(outline.x[vertex]) - 0.5, static_cast<double>(outline.y[vertex]) - 0.5};
+}
 
 /// The first vertex of those farthest from vertex `from`.
 [[nodiscard]] std::size_t farthest_from(const Outline& outline, std::size_t from);

@@ -84,10 +84,6 @@ std::optional<Indices> widest_corners(const Outline& outline) {
   return corners;
 }
 
-Point crack_point(const Outline& outline, std::size_t i) {
-  return {static_cast<double>(outline.x[i]) - 0.5, static_cast<double>(outline.y[i]) - 0.5};
-}
-
 /// The line through the cracks of the outline from one corner to the next. Cracks near the corners are left
 /// out, because blur rounds them, and those far from the straight way: white cells beside a blurred border
 /// break through it, and the outline goes in there and comes out again.
@@ -100,8 +96,7 @@ std::optional<Line> side_line(const Outline& outline, std::size_t from, std::siz
   const double margin = std::min(0.15 * length, 1.0 + 0.05 * length);
   const SideWay way{a, u, margin * length, (length - margin) * length, 2.5 * tolerance * length};
   constexpr double least_covered = 0.4;  // of the way
-  SideCracks cracks{LineFit({(a.x + b.x) / 2, (a.y + b.y) / 2})};
-  add_side_cracks(outline, from, to, way, cracks);
+  const SideCracks cracks = side_cracks(outline, from, to, way);
   if (cracks.covered < least_covered * (way.high - way.low)) return std::nullopt;
   if (cracks.fit.mean_square() > tolerance * tolerance) return std::nullopt;
   std::optional<Line> line = cracks.fit.line();

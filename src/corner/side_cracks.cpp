@@ -10,14 +10,25 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#ifndef RUNMARK_SIDE_CRACKS_ONCE
-#define RUNMARK_SIDE_CRACKS_ONCE
-namespace runmark {
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace runmark::HWY_NAMESPACE {
 
-/// Adds what of the run p -> q lies between `low` and `high`. Its ends are relative to the way's start.
-void add_cut_run(Point p, Point q, const SideWay& way, SideCracks& cracks) {
+namespace hn = hwy::HWY_NAMESPACE;
+using Doubles = hn::CappedTag<double, 8>;
+using Vector = hn::Vec<Doubles>;
+
+/// Sums over runs, a run a lane.
+struct Sums {
+  Vector n, x, y, xx, xy, yy;
+  Vector level, upright;  // cubes of the lengths less the lengths
+  Vector covered;
+};
+
+/// Adds what of the run between two crack points lies between `low` and `high`.
+void AddCutRun(Point from, Point to, const SideWay& way, SideCracks& cracks) {
   const Point u = way.along;
+  Point p{from.x - way.start.x, from.y - way.start.y};
+  Point q{to.x - way.start.x, to.y - way.start.y};
   const double sp = p.x * u.x + p.y * u.y;
   const double sq = q.x * u.x + q.y * u.y;
   const double rise = sq - sp;
@@ -35,24 +46,6 @@ void add_cut_run(Point p, Point q, const SideWay& way, SideCracks& cracks) {
   cracks.covered += forward;
   cracks.fit.add_cracks({p.x + way.start.x, p.y + way.start.y}, {q.x + way.start.x, q.y + way.start.y});
 }
-
-}  // namespace
-}  // namespace runmark
-#endif
-
-HWY_BEFORE_NAMESPACE();
-namespace runmark::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::CappedTag<double, 8>;
-using Vector = hn::Vec<Doubles>;
-
-/// Sums over runs, a run a lane.
-struct Sums {
-  Vector n, x, y, xx, xy, yy;
-  Vector level, upright;  // cubes of the lengths less the lengths
-  Vector covered;
-};
 
 /// Adds the runs from vertex `from` to vertex `to`, which comes after it.
 void AddStretch(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way, Sums& sums,
@@ -113,18 +106,14 @@ void AddStretch(const Outline& outline, std::size_t from, std::size_t to, const 
     hn::StoreMaskBits(d, cut, bytes);
     for (unsigned lanes = bytes[0]; lanes != 0; lanes &= lanes - 1) {
       const std::size_t at = i + static_cast<std::size_t>(std::countr_zero(lanes));
-      const auto vertex = [&](std::size_t v) {
-        return Point{static_cast<double>(outline.x[v]) - (way.start.x + 0.5),
-                     static_cast<double>(outline.y[v]) - (way.start.y + 0.5)};
-      };
-      add_cut_run(vertex(at), vertex(at + 1), way, cracks);
+      AddCutRun(crack_point(outline, at), crack_point(outline, at + 1), way, cracks);
     }
   }
 }
 
-void AddSideCracks(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way,
-                   SideCracks& cracks) {
+SideCracks CracksOfSide(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way) {
   const Doubles d;
+  SideCracks cracks{LineFit({way.start.x + way.along.x / 2, way.start.y + way.along.y / 2})};
   const auto none = hn::Zero(d);
   Sums sums{none, none, none, none, none, none, none, none, none};
   if (from < to) {
@@ -138,6 +127,7 @@ void AddSideCracks(const Outline& outline, std::size_t from, std::size_t to, con
   cracks.fit.add_moments({total(sums.n), total(sums.x), total(sums.y),
                           total(sums.xx) + total(sums.level) / 12, total(sums.xy),
                           total(sums.yy) + total(sums.upright) / 12});
+  return cracks;
 }
 
 }  // namespace runmark::HWY_NAMESPACE
@@ -146,11 +136,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace runmark {
 
-HWY_EXPORT(AddSideCracks);
+HWY_EXPORT(CracksOfSide);
 
-void add_side_cracks(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way,
-                     SideCracks& cracks) {
-  HWY_DYNAMIC_DISPATCH(AddSideCracks)(outline, from, to, way, cracks);
+SideCracks side_cracks(const Outline& outline, std::size_t from, std::size_t to, const SideWay& way) {
+  return HWY_DYNAMIC_DISPATCH(CracksOfSide)(outline, from, to, way);
 }
 
 }  // namespace runmark

@@ -131,12 +131,13 @@ class Detector::Impl {
     // compilers take a function that only fetches for one without effect.)
     const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(region_.x) * step_;
     const std::ptrdiff_t right = left + static_cast<std::ptrdiff_t>(region_.width - 1) * step_;
+    const auto [first, last] = std::minmax({left, right});
     const std::ptrdiff_t line = std::max(cache_line, std::abs(step_));
     for (int i = 0; i < rows.height; ++i) {
       const auto address = reinterpret_cast<std::uintptr_t>(rows.row(i));
       const std::uintptr_t ahead = address + rows_ahead * (address - last_row_);
       if (rows_in_ > 0 && rows_in_ + rows_ahead < frame_height_) {
-        for (auto at = std::min(left, right); at <= std::max(left, right); at += line) {
+        for (std::ptrdiff_t at = first; at <= last; at += line) {
           // NOLINTNEXTLINE(performance-no-int-to-ptr): an address to fetch from, not to read
           hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(ahead + static_cast<std::uintptr_t>(at)));
         }
