@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
-#include "bench/cpu_clock.h"
+#include "bench/speed/median_time.h"
 #include "bench/speed/report.h"
 #include "evaluate/percentile.h"
 #include "runmark/detector.h"
@@ -56,16 +56,10 @@ std::vector<FrameWork> frame_work(const FrameSet& set, int rounds) {
     if (!detector) throw std::runtime_error(detector.error());
     const auto view = ImageView::grey(frame.grey.data, frame.grey.cols, frame.grey.rows,
                                       static_cast<std::ptrdiff_t>(frame.grey.step[0]));
-    std::vector<double> times;
-    for (int round = 0; round <= rounds; ++round) {
-      const double start = cpu_milliseconds();
-      static_cast<void>(detector->detect(view));
-      if (round > 0) times.push_back(cpu_milliseconds() - start);
-    }
-    std::ranges::sort(times);
+    const double time = median_time(rounds, [&] { static_cast<void>(detector->detect(view)); });
     const FrameStats& stats = detector->stats();
     result.push_back({static_cast<double>(stats.pixels), static_cast<double>(stats.crack_runs),
-                      static_cast<double>(detector->markers().size()), percentile(times, 0.5)});
+                      static_cast<double>(detector->markers().size()), time});
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench/cpu_clock.h"
+#include "bench/speed/median_time.h"
 #include "bench/speed/workers.h"
 #include "evaluate/percentile.h"
 
@@ -16,17 +17,6 @@ double time_of(const Worker& worker) {
 }
 
 constexpr double quick = 20;  // milliseconds
-
-/// The worker's median over the rounds, after one that does not count.
-double median_time_of(const Worker& worker, int rounds) {
-  std::vector<double> times;
-  for (int round = 0; round <= rounds; ++round) {
-    const double taken = time_of(worker);
-    if (round > 0) times.push_back(taken);
-  }
-  std::ranges::sort(times);
-  return percentile(times, 0.5);
-}
 
 }  // namespace
 
@@ -65,7 +55,7 @@ Result<Timing> measure_alone(const std::string& set, int scenes, int rounds) {
   for (int scene = 0; scene < scenes; ++scene) {
     const auto frames = standard_frames(set, 1, scene);
     if (!frames) return Error{frames.error()};
-    timing.milliseconds.push_back(median_time_of(reader_for("runmark", frames->frames[0]), rounds));
+    timing.milliseconds.push_back(median_time(rounds, reader_for("runmark", frames->frames[0]).work));
   }
   std::ranges::sort(timing.milliseconds);
   return timing;

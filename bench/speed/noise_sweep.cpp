@@ -4,8 +4,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "bench/cpu_clock.h"
-#include "evaluate/percentile.h"
+#include "bench/speed/median_time.h"
 #include "runmark/detector.h"
 
 namespace runmark::bench {
@@ -42,16 +41,11 @@ NoiseSweep sweep_noise(int width, int height, int rounds) {
   for (const int granularity : {1, 2, 4, 8, 16}) {
     for (int tenth = 0; tenth <= 10; ++tenth) {
       const std::vector<std::uint8_t> grey = noise(width, height, tenth / 10.0, granularity);
-      std::vector<double> times;
-      for (int round = 0; round <= rounds; ++round) {
-        const double start = cpu_milliseconds();
-        static_cast<void>(detector->detect(ImageView::grey(grey.data(), width, height, width)));
-        if (round > 0) times.push_back(cpu_milliseconds() - start);
-      }
-      std::ranges::sort(times);
+      const auto view = ImageView::grey(grey.data(), width, height, width);
+      const double time = median_time(rounds, [&] { static_cast<void>(detector->detect(view)); });
       const FrameStats& stats = detector->stats();
-      result.cells.push_back({tenth / 10.0, granularity, percentile(times, 0.5), stats.crack_runs,
-                              stats.records_peak, stats.dropped_chains});
+      result.cells.push_back(
+          {tenth / 10.0, granularity, time, stats.crack_runs, stats.records_peak, stats.dropped_chains});
     }
   }
   return result;
