@@ -12,9 +12,10 @@ if(RUNMARK_WERROR)
   target_compile_options(runmark_flags INTERFACE -Werror)
 endif()
 
-# For code that calls what is tested, or is called once: sanitizers take twice as long over -O2.
-function(runmark_compile_quickly target)
+# Under sanitizers -O2 takes twice as long to compile. -O1 for code whose own speed matters little, -O0 for what
+# mainly includes long headers.
+function(runmark_compile_quickly target level)
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-    target_compile_options(${target} PRIVATE -O1)
+    target_compile_options(${target} PRIVATE ${level})
   endif()
 endfunction()

@@ -1,5 +1,7 @@
 #include "corner/outline.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "corner/outline.cpp"
 #include <hwy/foreach_target.h>
@@ -26,19 +28,11 @@ class Greatest {
   /// The first place of the greatest value, `none` where no value was above `least`.
   [[nodiscard]] std::size_t Place(float least, std::size_t none) const {
     const Floats d;
-    float values[Outline::slack];
-    float places[Outline::slack];
-    hn::StoreU(value_, d, values);
-    hn::StoreU(place_, d, places);
-    float most = least;
-    auto best = static_cast<float>(none);
-    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-      if (values[i] > most || (values[i] == most && most > least && places[i] < best)) {
-        most = values[i];
-        best = places[i];
-      }
-    }
-    return static_cast<std::size_t>(best);
+    const auto most = hn::MaxOfLanes(d, value_);
+    if (hn::GetLane(most) <= least) return none;
+    const auto beyond = hn::Set(d, std::numeric_limits<float>::max());
+    const auto first = hn::MinOfLanes(d, hn::IfThenElse(hn::Eq(value_, most), place_, beyond));
+    return static_cast<std::size_t>(hn::GetLane(first));
   }
 
  private:

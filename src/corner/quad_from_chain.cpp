@@ -20,30 +20,14 @@ struct Shape {
   std::int64_t perimeter = 0;  // in cracks
 };
 
-Shape shape_of(const ClosedChain& chain) {
+/// Draws the chain clockwise, whichever way it goes; the first vertex stands once more behind the last. The
+/// next record is only known when this one is there, so drawing costs no more than looking.
+Shape draw(const ClosedChain& chain, Outline& outline) {
   std::int64_t area = 0;
   int perimeter = 0;
   int left = (*chain.pool)[chain.tail].x;
   int right = left;
   int line = chain.bottom;
-  chain.runs([&](int from, int to, int y) {
-    area += static_cast<std::int64_t>(y) * (from - to);
-    perimeter += std::abs(to - from) + std::abs(y - line);
-    line = y;
-    left = std::min(left, to);
-    right = std::max(right, to);
-  });
-  return {std::abs(area), right - left, chain.bottom - chain.top, perimeter};
-}
-
-/// Whether the shape may be a quadrilateral: a convex one fills a good part of the box round it and is as
-/// long as the box is, and a ragged edge makes it a little longer.
-bool may_be_quad(const Shape& s) {
-  return 5 * s.area >= s.width * s.height && s.perimeter <= 6 * (s.width + s.height) + 8;
-}
-
-/// Clockwise whichever way the chain goes. The first vertex stands once more behind the last.
-void draw(const ClosedChain& chain, Outline& outline) {
   outline.count = 2 * static_cast<std::size_t>(chain.records);
   std::size_t i = chain.hole ? outline.count - 1 : 0;
   const std::size_t step = chain.hole ? static_cast<std::size_t>(-1) : 1;
@@ -54,9 +38,21 @@ void draw(const ClosedChain& chain, Outline& outline) {
     outline.x[i] = static_cast<float>(to);
     outline.y[i] = static_cast<float>(y);
     i += step;
+    area += static_cast<std::int64_t>(y) * (from - to);
+    perimeter += std::abs(to - from) + std::abs(y - line);
+    line = y;
+    left = std::min(left, to);
+    right = std::max(right, to);
   });
   outline.x[outline.count] = outline.x[0];
   outline.y[outline.count] = outline.y[0];
+  return {std::abs(area), right - left, chain.bottom - chain.top, perimeter};
+}
+
+/// Whether the shape may be a quadrilateral: a convex one fills a good part of the box round it and is as
+/// long as the box is, and a ragged edge makes it a little longer.
+bool may_be_quad(const Shape& s) {
+  return 5 * s.area >= s.width * s.height && s.perimeter <= 6 * (s.width + s.height) + 8;
 }
 
 /// Four vertices that span a large area, in the order of the outline. Starts from the two ends of a long
@@ -110,10 +106,9 @@ std::optional<Line> side_line(const Outline& outline, std::size_t from, std::siz
 }  // namespace
 
 std::optional<Quad> quad_from_chain(const ClosedChain& chain, const QuadLimits& limits, Outline& outline) {
-  const Shape shape = shape_of(chain);
+  const Shape shape = draw(chain, outline);
   const auto area = static_cast<double>(shape.area);
   if (area < limits.min_area || area > limits.max_area || !may_be_quad(shape)) return std::nullopt;
-  draw(chain, outline);
   const std::optional<Indices> corners = widest_corners(outline);
   if (!corners) return std::nullopt;
 

@@ -1,3 +1,5 @@
+// The newer AVX-512 (Ice Lake, Zen 4), which gathers bytes, is left out unless it is asked for.
+#define HWY_WANT_AVX3_DL
 #include "preprocess/crack_runs_fast.h"
 
 #include <algorithm>
@@ -8,20 +10,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "preprocess/run_writer-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace runmark::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// What becomes of the cracks under some words of pixels: a bit for each column.
-struct CrackEvents {
-  static constexpr std::size_t most_words = bits_per_word;
-  BitWord begins[most_words];
-  BitWord ends[most_words];
-  BitWord top[most_words];  // of the run that begins here
-  BitWord left_above[most_words];
-  BitWord right_above[most_words];
-};
 
 /// The events of as many words as a vector holds. A run's end belongs to the row above or to the current one,
 /// as the pixel beyond it tells. There the two rows agree, except where runs touch crosswise: then it matters
@@ -58,51 +52,6 @@ HWY_INLINE BitWord FindEvents(D d, V above, V current, V above_left, V current_l
              events.right_above + at);
   return active[0];
 }
-
-/// The runs of a row end in the order in which they begin, so beginnings and ends are written each for
-/// itself. Most words have none to three of each: so many are written always, since the extra writes cost
-/// less than a wrong guess of how many there are.
-class RunWriter {
- public:
-  explicit RunWriter(CrackRun* runs) : next_begin_(runs), next_end_(runs) {}
-
-  HWY_INLINE void Write(const CrackEvents& events, std::size_t word, std::size_t column) {
-    constexpr int always = 3;
-    BitWord begins = events.begins[word];
-    BitWord ends = events.ends[word];
-    const BitWord top = events.top[word];
-    const BitWord left_above = events.left_above[word];
-    const BitWord right_above = events.right_above[word];
-    const auto x = static_cast<unsigned>(column);
-    CrackRun* begin = next_begin_;
-    CrackRun* end = next_end_;
-    const int begin_count = std::popcount(begins);
-    const int end_count = std::popcount(ends);
-    next_begin_ += begin_count;
-    next_end_ += end_count;
-    const auto write = [&]() HWY_ATTR {
-      const int b = std::countr_zero(begins) & (bits_per_word - 1);
-      begin->x0 = static_cast<std::uint16_t>(x + static_cast<unsigned>(b));
-      begin->top = (top >> b & 1U) != 0;
-      begin->left_above = (left_above >> b & 1U) != 0;
-      ++begin;
-      begins &= begins - 1;
-      const int e = std::countr_zero(ends) & (bits_per_word - 1);
-      end->x1 = static_cast<std::uint16_t>(x + static_cast<unsigned>(e));
-      end->right_above = (right_above >> e & 1U) != 0;
-      ++end;
-      ends &= ends - 1;
-    };
-    for (int i = 0; i < always; ++i) write();
-    for (int i = std::max(begin_count, end_count); i > always; --i) write();
-  }
-
-  [[nodiscard]] CrackRun* End() const { return next_end_; }
-
- private:
-  CrackRun* next_begin_;
-  CrackRun* next_end_;
-};
 
 std::size_t FindCrackRuns(const BitWord* above, const BitWord* current, int width, bool eight,
                           CrackRun* runs) {
