@@ -24,12 +24,10 @@ struct PixelPlaces {
   alignas(64) float fy[CellPoints::group];
 };
 
-/// The four pixels round each point of a group.
+/// The four pixels round each point of a group: the left one in the lower byte, the right one in the next.
 struct PixelSquares {
-  alignas(64) float upper_left[CellPoints::group];
-  alignas(64) float upper_right[CellPoints::group];
-  alignas(64) float lower_left[CellPoints::group];
-  alignas(64) float lower_right[CellPoints::group];
+  alignas(64) std::int32_t upper[CellPoints::group];
+  alignas(64) std::int32_t lower[CellPoints::group];
 };
 
 /// The last pixel of `size` that has one after it.
@@ -64,25 +62,22 @@ HWY_INLINE void Place(const GreyFrame& frame, const Homography& place, const flo
   }
 }
 
-/// @param grey_at  the grey level of the pixel so many pixels after the first of a row
-template <class GreyAt>
+/// @param pair_at  the grey levels of the pixel so many pixels after the first of a row, and of the one after
+/// it
+template <class PairAt>
 HWY_INLINE void Collect(const GreyFrame& frame, const PixelPlaces& places, PixelSquares& squares,
-                        GreyAt&& grey_at) {
-  const int right = frame.width > 1 ? 1 : 0;
+                        PairAt&& pair_at) {
   const int down = frame.height > 1 ? 1 : 0;
   for (std::size_t i = 0; i < CellPoints::group; ++i) {
-    const std::uint8_t* upper = frame.rows[places.y[i]];
-    const std::uint8_t* lower = frame.rows[places.y[i] + down];
-    const int x = places.x[i];
-    squares.upper_left[i] = static_cast<float>(grey_at(upper, x));
-    squares.upper_right[i] = static_cast<float>(grey_at(upper, x + right));
-    squares.lower_left[i] = static_cast<float>(grey_at(lower, x));
-    squares.lower_right[i] = static_cast<float>(grey_at(lower, x + right));
+    squares.upper[i] = pair_at(frame.rows[places.y[i]], places.x[i]);
+    squares.lower[i] = pair_at(frame.rows[places.y[i] + down], places.x[i]);
   }
 }
 
 void SampleCells(const GreyFrame& frame, const Homography& place, const CellPoints& points, float* grey) {
   const Floats d;
+  const Ints ints;
+  const int right = frame.width > 1 ? 1 : 0;
   const auto between = [](auto share, auto a, auto b)
                            HWY_ATTR { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
   PixelPlaces places;    // NOLINT(*-member-init): filled for each group
@@ -97,19 +92,26 @@ void SampleCells(const GreyFrame& frame, const Homography& place, const CellPoin
       v[i] = points.v[first + std::min(i, count - 1)];
     }
     Place(frame, place, u, v, places);
-    if (frame.format == PixelFormat::grey && frame.step == 1) {
-      Collect(frame, places, squares, [](const std::uint8_t* row, int x) HWY_ATTR { return int{row[x]}; });
+    if (frame.format == PixelFormat::grey && frame.step == 1 && right == 1) {
+      Collect(frame, places, squares,
+              [](const std::uint8_t* row, int x) HWY_ATTR { return row[x] | row[x + 1] << 8; });
     } else {
       Collect(frame, places, squares, [&](const std::uint8_t* row, int x) HWY_ATTR {
-        return grey_of(row + static_cast<std::ptrdiff_t>(x) * frame.step, frame.format);
+        const auto at = [&](int pixel) {
+          return grey_of(row + static_cast<std::ptrdiff_t>(pixel) * frame.step, frame.format);
+        };
+        return at(x) | at(x + right) << 8;
       });
     }
     for (std::size_t i = 0; i < CellPoints::group; i += hn::Lanes(d)) {
       const auto fx = hn::Load(d, places.fx + i);
-      const auto upper =
-          between(fx, hn::Load(d, squares.upper_left + i), hn::Load(d, squares.upper_right + i));
-      const auto lower =
-          between(fx, hn::Load(d, squares.lower_left + i), hn::Load(d, squares.lower_right + i));
+      const auto along = [&](const std::int32_t* pairs) HWY_ATTR {
+        const auto both = hn::Load(ints, pairs + i);
+        return between(fx, hn::ConvertTo(d, hn::And(both, hn::Set(ints, 0xFF))),
+                       hn::ConvertTo(d, hn::ShiftRight<8>(both)));
+      };
+      const auto upper = along(squares.upper);
+      const auto lower = along(squares.lower);
       hn::StoreU(between(hn::Load(d, places.fy + i), upper, lower), d, grey + first + i);
     }
   }

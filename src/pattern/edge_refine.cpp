@@ -81,6 +81,10 @@ class SideEdgeSearch {
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
     const int beside = std::clamp(count / pixels_a_line, 1, most_beside);
     const float share = static_cast<float>(sign_) / static_cast<float>(beside);
+    // Grey levels of all lines at a time; those of lines that are not used count as level.
+    int level[EdgeRises::most_rises + 1][most_lines];  // NOLINT(*-member-init): filled as far as used
+    for (int k = 0; k <= rises_.rises; ++k)
+      std::fill(level[k] + std::max(rises_.lines, 0), level[k] + most_lines, 0);
     for (int i = 0; i < rises_.lines; ++i) {
       // Evenly spread over the lines there are.
       const int place = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
@@ -89,13 +93,15 @@ class SideEdgeSearch {
       const double middle = start_.y + slope * (centre - start_.x);
       const int from = static_cast<int>(std::floor(middle)) - half;
       rises_.first[i] = static_cast<float>(from + 0.5 - middle);
-      std::array<int, EdgeRises::most_rises + 1> level;  // NOLINT(*-member-init): cleared as far as used
-      std::fill_n(level.begin(), rises_.rises + 1, 0);
-      const auto add = [&](auto&& grey_at) {
-        for (int k = 0; k <= rises_.rises; ++k) level[static_cast<std::size_t>(k)] += grey_at(k);
-      };
       const bool inside = from >= 0 && from + rises_.rises <= across_limit;
       for (int line = place; line < place + beside; ++line) {
+        const auto add = [&](auto&& grey_at) {
+          if (line == place) {
+            for (int k = 0; k <= rises_.rises; ++k) level[k][i] = grey_at(k);
+          } else {
+            for (int k = 0; k <= rises_.rises; ++k) level[k][i] += grey_at(k);
+          }
+        };
         if (!inside) {
           add([&](int k) { return grey(line, std::clamp(from + k, 0, across_limit)); });
         } else if (steep_ && frame_.format == PixelFormat::grey && frame_.step == 1) {
@@ -109,17 +115,13 @@ class SideEdgeSearch {
           add([&](int k) { return grey(line, from + k); });
         }
       }
-      int before = level[0];
-      for (int k = 0; k < rises_.rises; ++k) {
-        const int after = level[static_cast<std::size_t>(k) + 1];
-        rises_.rise[k][i] = static_cast<float>(after - before) * share;
-        before = after;
+    }
+    for (int k = 0; k < rises_.rises; ++k) {
+      for (int i = 0; i < most_lines; ++i) {
+        rises_.rise[k][i] = static_cast<float>(level[k + 1][i] - level[k][i]) * share;
       }
     }
-    for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) {
-      rises_.first[i] = 0;
-      for (int k = 0; k < rises_.rises; ++k) rises_.rise[k][i] = 0;
-    }
+    for (int i = std::max(rises_.lines, 0); i < most_lines; ++i) rises_.first[i] = 0;
   }
 
   [[nodiscard]] int grey(int along, int across) const {
