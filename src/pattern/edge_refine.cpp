@@ -81,10 +81,9 @@ class SideEdgeSearch {
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
     const int beside = std::clamp(count / pixels_a_line, 1, most_beside);
     const float share = static_cast<float>(sign_) / static_cast<float>(beside);
-    // Grey levels of all lines at a time; those of lines that are not used count as level.
-    int level[EdgeRises::most_rises + 1][most_lines];  // NOLINT(*-member-init): filled as far as used
-    for (int k = 0; k <= rises_.rises; ++k)
-      std::fill(level[k] + std::max(rises_.lines, 0), level[k] + most_lines, 0);
+    // Of all lines side by side; of lines that are not used it does not rise.
+    int level[EdgeRises::most_rises + 1][most_lines];  // NOLINT(*-member-init): cleared as far as used
+    for (int k = 0; k <= rises_.rises; ++k) std::fill_n(level[k], most_lines, 0);
     for (int i = 0; i < rises_.lines; ++i) {
       // Evenly spread over the lines there are.
       const int place = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
@@ -94,14 +93,10 @@ class SideEdgeSearch {
       const int from = static_cast<int>(std::floor(middle)) - half;
       rises_.first[i] = static_cast<float>(from + 0.5 - middle);
       const bool inside = from >= 0 && from + rises_.rises <= across_limit;
+      const auto add = [&](auto&& grey_at) {
+        for (int k = 0; k <= rises_.rises; ++k) level[k][i] += grey_at(k);
+      };
       for (int line = place; line < place + beside; ++line) {
-        const auto add = [&](auto&& grey_at) {
-          if (line == place) {
-            for (int k = 0; k <= rises_.rises; ++k) level[k][i] = grey_at(k);
-          } else {
-            for (int k = 0; k <= rises_.rises; ++k) level[k][i] += grey_at(k);
-          }
-        };
         if (!inside) {
           add([&](int k) { return grey(line, std::clamp(from + k, 0, across_limit)); });
         } else if (steep_ && frame_.format == PixelFormat::grey && frame_.step == 1) {
