@@ -16,18 +16,21 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, CellPoints::group>;
 using Ints = hn::RebindToSigned<Floats>;
 
-/// Where a group of points lies: the pixel up and left of each, and how far beyond its centre.
+/// Points worked on together, so that few wait for one another.
+constexpr std::size_t most_points = 8 * CellPoints::group;
+
+/// Where points lie: the pixel up and left of each, and how far beyond its centre.
 struct PixelPlaces {
-  alignas(64) std::int32_t x[CellPoints::group];
-  alignas(64) std::int32_t y[CellPoints::group];
-  alignas(64) float fx[CellPoints::group];
-  alignas(64) float fy[CellPoints::group];
+  alignas(64) std::int32_t x[most_points];
+  alignas(64) std::int32_t y[most_points];
+  alignas(64) float fx[most_points];
+  alignas(64) float fy[most_points];
 };
 
-/// The four pixels round each point of a group: the left one in the lower byte, the right one in the next.
+/// The four pixels round each point: the left one in the lower byte, the right one in the next.
 struct PixelSquares {
-  alignas(64) std::int32_t upper[CellPoints::group];
-  alignas(64) std::int32_t lower[CellPoints::group];
+  alignas(64) std::int32_t upper[most_points];
+  alignas(64) std::int32_t lower[most_points];
 };
 
 /// The last pixel of `size` that has one after it.
@@ -46,11 +49,11 @@ HWY_INLINE void SplitPixel(V position, int size, std::int32_t* pixel, float* fra
 }
 
 HWY_INLINE void Place(const GreyFrame& frame, const Homography& place, const float* u, const float* v,
-                      PixelPlaces& places) {
+                      std::size_t count, PixelPlaces& places) {
   const Floats d;
   const auto at = [&](double coefficient) HWY_ATTR { return hn::Set(d, static_cast<float>(coefficient)); };
   const Homography::Coefficients& h = place.coefficients();
-  for (std::size_t i = 0; i < CellPoints::group; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto cell_u = hn::Load(d, u + i);
     const auto cell_v = hn::Load(d, v + i);
     const auto of = [&](double along_u, double along_v, double constant) HWY_ATTR {
@@ -65,10 +68,10 @@ HWY_INLINE void Place(const GreyFrame& frame, const Homography& place, const flo
 /// @param pair_at  the grey levels of the pixel so many pixels after the first of a row, and of the one after
 /// it
 template <class PairAt>
-HWY_INLINE void Collect(const GreyFrame& frame, const PixelPlaces& places, PixelSquares& squares,
-                        PairAt&& pair_at) {
+HWY_INLINE void Collect(const GreyFrame& frame, const PixelPlaces& places, std::size_t count,
+                        PixelSquares& squares, PairAt&& pair_at) {
   const int down = frame.height > 1 ? 1 : 0;
-  for (std::size_t i = 0; i < CellPoints::group; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     squares.upper[i] = pair_at(frame.rows[places.y[i]], places.x[i]);
     squares.lower[i] = pair_at(frame.rows[places.y[i] + down], places.x[i]);
   }
@@ -82,28 +85,29 @@ void SampleCells(const GreyFrame& frame, const Homography& place, const CellPoin
                            HWY_ATTR { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
   PixelPlaces places;    // NOLINT(*-member-init): filled for each group
   PixelSquares squares;  // NOLINT(*-member-init)
-  alignas(64) float u[CellPoints::group];
-  alignas(64) float v[CellPoints::group];
-  for (std::size_t first = 0; first < points.size(); first += CellPoints::group) {
+  alignas(64) float u[most_points];
+  alignas(64) float v[most_points];
+  for (std::size_t first = 0; first < points.size(); first += most_points) {
     // The last group is filled up with its last point.
-    const std::size_t count = std::min(points.size() - first, CellPoints::group);
-    for (std::size_t i = 0; i < CellPoints::group; ++i) {
-      u[i] = points.u[first + std::min(i, count - 1)];
-      v[i] = points.v[first + std::min(i, count - 1)];
-    }
-    Place(frame, place, u, v, places);
+    const std::size_t left = std::min(points.size() - first, most_points);
+    const std::size_t count = (left + CellPoints::group - 1) / CellPoints::group * CellPoints::group;
+    std::copy_n(points.u.data() + first, left, u);
+    std::copy_n(points.v.data() + first, left, v);
+    std::fill(u + left, u + count, u[left - 1]);
+    std::fill(v + left, v + count, v[left - 1]);
+    Place(frame, place, u, v, count, places);
     if (frame.format == PixelFormat::grey && frame.step == 1 && right == 1) {
-      Collect(frame, places, squares,
+      Collect(frame, places, count, squares,
               [](const std::uint8_t* row, int x) HWY_ATTR { return row[x] | row[x + 1] << 8; });
     } else {
-      Collect(frame, places, squares, [&](const std::uint8_t* row, int x) HWY_ATTR {
+      Collect(frame, places, count, squares, [&](const std::uint8_t* row, int x) HWY_ATTR {
         const auto at = [&](int pixel) {
           return grey_of(row + static_cast<std::ptrdiff_t>(pixel) * frame.step, frame.format);
         };
         return at(x) | at(x + right) << 8;
       });
     }
-    for (std::size_t i = 0; i < CellPoints::group; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       const auto fx = hn::Load(d, places.fx + i);
       const auto along = [&](const std::int32_t* pairs) HWY_ATTR {
         const auto both = hn::Load(ints, pairs + i);
