@@ -81,33 +81,38 @@ class SideEdgeSearch {
     const double slope = (end_.y - start_.y) / (end_.x - start_.x);
     const int beside = std::clamp(count / pixels_a_line, 1, most_beside);
     const float share = static_cast<float>(sign_) / static_cast<float>(beside);
+    // Where each line lies, before any is looked at: none has to wait for another.
+    int place[most_lines];
+    int from[most_lines];
+    for (int i = 0; i < rises_.lines; ++i) {
+      // Evenly spread over the lines there are.
+      place[i] = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
+      const double centre = place[i] + (beside - 1) / 2.0;
+      share_[i] = (centre - start_.x) / (end_.x - start_.x);
+      const double middle = start_.y + slope * (centre - start_.x);
+      from[i] = static_cast<int>(std::floor(middle)) - half;
+      rises_.first[i] = static_cast<float>(from[i] + 0.5 - middle);
+    }
     // Of all lines side by side; of lines that are not used it does not rise.
     int level[EdgeRises::most_rises + 1][most_lines];  // NOLINT(*-member-init): cleared as far as used
     for (int k = 0; k <= rises_.rises; ++k) std::fill_n(level[k], most_lines, 0);
     for (int i = 0; i < rises_.lines; ++i) {
-      // Evenly spread over the lines there are.
-      const int place = first + (rises_.lines == 1 ? 0 : i * (count - beside) / (rises_.lines - 1));
-      const double centre = place + (beside - 1) / 2.0;
-      share_[i] = (centre - start_.x) / (end_.x - start_.x);
-      const double middle = start_.y + slope * (centre - start_.x);
-      const int from = static_cast<int>(std::floor(middle)) - half;
-      rises_.first[i] = static_cast<float>(from + 0.5 - middle);
-      const bool inside = from >= 0 && from + rises_.rises <= across_limit;
+      const bool inside = from[i] >= 0 && from[i] + rises_.rises <= across_limit;
       const auto add = [&](auto&& grey_at) {
         for (int k = 0; k <= rises_.rises; ++k) level[k][i] += grey_at(k);
       };
-      for (int line = place; line < place + beside; ++line) {
+      for (int line = place[i]; line < place[i] + beside; ++line) {
         if (!inside) {
-          add([&](int k) { return grey(line, std::clamp(from + k, 0, across_limit)); });
+          add([&](int k) { return grey(line, std::clamp(from[i] + k, 0, across_limit)); });
         } else if (steep_ && frame_.format == PixelFormat::grey && frame_.step == 1) {
-          const std::uint8_t* row = frame_.rows[line] + from;
+          const std::uint8_t* row = frame_.rows[line] + from[i];
           add([&](int k) { return int{row[k]}; });
         } else if (!steep_ && frame_.format == PixelFormat::grey) {
-          const std::uint8_t* const* row = frame_.rows + from;
+          const std::uint8_t* const* row = frame_.rows + from[i];
           const std::ptrdiff_t column = static_cast<std::ptrdiff_t>(line) * frame_.step;
           add([&](int k) { return int{row[k][column]}; });
         } else {
-          add([&](int k) { return grey(line, from + k); });
+          add([&](int k) { return grey(line, from[i] + k); });
         }
       }
     }
