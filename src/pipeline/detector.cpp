@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t most_markers = 2048;
 constexpr std::size_t most_rejected = 1024;
 constexpr int rows_ahead = 8;  // brought into the cache: two bands of tiles
-constexpr int cache_line = 64;
+constexpr std::ptrdiff_t cache_line = 64;
 
 Result<std::unique_ptr<FramePipeline>> make_pipeline(const Options& options,
                                                      const std::vector<Dictionary>& dictionaries) {
@@ -132,7 +132,7 @@ class Detector::Impl {
     const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(region_.x) * step_;
     const std::ptrdiff_t right = left + static_cast<std::ptrdiff_t>(region_.width - 1) * step_;
     const auto [first, last] = std::minmax({left, right});
-    const std::ptrdiff_t line = std::max(cache_line, std::abs(step_));
+    const std::ptrdiff_t line = std::max(cache_line, std::abs(std::ptrdiff_t{step_}));
     for (int i = 0; i < rows.height; ++i) {
       const auto address = reinterpret_cast<std::uintptr_t>(rows.row(i));
       const std::uintptr_t ahead = address + rows_ahead * (address - last_row_);

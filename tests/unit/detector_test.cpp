@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -193,6 +195,14 @@ TEST(Detector, FramesItCannotTakeAreErrorValues) {
   EXPECT_EQ(detector.detect(ImageView{}).status, Status::bad_view);
   const test::Picture fits(64, 48, 0);
   EXPECT_EQ(detector.detect(fits.view()).status, Status::ok) << "and the next good frame is right";
+}
+
+TEST(Detector, StepsOfAnySizeAreTaken) {
+  Detector detector = make({}, {dictionary("tag36h11")}, 1, 20);
+  const std::vector<std::uint8_t> column(20, 128);
+  for (const int step : {std::numeric_limits<int>::min(), -1, std::numeric_limits<int>::max()}) {
+    EXPECT_EQ(detector.detect(ImageView::grey(column.data(), 1, 20, 1, step)).status, Status::ok) << step;
+  }
 }
 
 /// A scene of several markers over a noisy gradient.
