@@ -138,8 +138,12 @@ class View(DisplayTest):
         self.view(video)
         self.press("1", "original")
         self.press("m")  # there is no other input to go to
-        moving = [picture_of(self.screenshot()) for _ in range(3)]
-        self.assertEqual(len(set(moving)), 3)
+        moving = set()
+
+        def three_frames():
+            moving.add(picture_of(self.screenshot()))
+            return len(moving) >= 3
+        self.wait_for("three frames", three_frames)
         self.press("space", "original, paused")
         still = picture_of(self.screenshot())
         self.assertEqual(picture_of(self.screenshot()), still)
