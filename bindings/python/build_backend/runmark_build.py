@@ -6,6 +6,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import sysconfig
@@ -44,7 +45,7 @@ def build_package(prefix):
     build = ROOT / "build" / f"python-{tag()}"
     configure = ["cmake", "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release", "-DRUNMARK_PYTHON=ON",
                  "-DRUNMARK_TOOLS=OFF", "-DRUNMARK_TESTS=OFF", "-DRUNMARK_PRINT=OFF", "-DRUNMARK_WERROR=OFF",
-                 f"-DPython_EXECUTABLE={sys.executable}"]
+                 f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
     subprocess.run(configure, check=True)
     subprocess.run(["cmake", "--build", str(build), "--parallel", str(os.cpu_count() or 1), "--target",
                     "runmark_python"], check=True)
