@@ -13,10 +13,12 @@ function(runmark_verilate target prefix module)
   endif()
   verilate(${target} PREFIX ${prefix} TOP_MODULE ${module} SOURCES ${rtl_dir}/${module}.sv INCLUDE_DIRS ${rtl_dir}
            VERILATOR_ARGS ${verilator_arguments} ${model_UNPARSED_ARGUMENTS} ${traced})
-  # Dozens of short files, which take longer to begin than to compile: many at a time, but for the models' interfaces
-  # and traces, whose functions are named alike, and Verilator's own.
-  get_target_property(separate ${target} SOURCES)
-  list(FILTER separate INCLUDE REGEX "Trace|/V[a-z0-9_]+\\.cpp$|/verilated")
-  set_source_files_properties(${separate} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  # Dozens of short files, which take longer to begin than to compile: those of a model together, but for its interface
+  # and its traces, whose functions are named alike in all models. A model's objects are its own, so that mutants can
+  # take their place.
+  get_target_property(together ${target} SOURCES)
+  list(FILTER together INCLUDE REGEX "/${prefix}[.]dir/")
+  list(FILTER together EXCLUDE REGEX "Trace|/${prefix}[.]cpp$")
+  set_source_files_properties(${together} PROPERTIES UNITY_GROUP ${prefix})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

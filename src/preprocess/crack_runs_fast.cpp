@@ -1,5 +1,3 @@
-// The newer AVX-512 (Ice Lake, Zen 4), which gathers bytes, is left out unless it is asked for.
-#define HWY_WANT_AVX3_DL
 #include "preprocess/crack_runs_fast.h"
 
 #include <algorithm>

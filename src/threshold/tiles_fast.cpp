@@ -34,7 +34,8 @@ HWY_INLINE hn::Vec<TileBytes> AcrossTiles(hn::Vec<Bytes> v, Join&& join) {
   const Words words;
   v = join(v, hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(words, v))));
   v = join(v, hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(words, v))));
-  return hn::TruncateTo(TileBytes(), hn::BitCast(words, v));
+  // Not TruncateTo: Highway 1.0.3 permutes words instead of bytes there with the newer AVX-512.
+  return hn::U8FromU32(hn::And(hn::BitCast(words, v), hn::Set(words, 0xFF)));
 }
 
 void TileLightOf(const TileBand& band, int width, TileLight& light) {
