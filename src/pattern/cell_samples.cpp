@@ -65,8 +65,7 @@ HWY_INLINE void Place(const GreyFrame& frame, const Homography& place, const flo
   }
 }
 
-/// @param pair_at  the grey levels of the pixel so many pixels after the first of a row, and of the one after
-/// it
+/// @param pair_at  of a row, the grey levels of the pixel so many after the first and of the next one
 template <class PairAt>
 HWY_INLINE void Collect(const GreyFrame& frame, const PixelPlaces& places, std::size_t count,
                         PixelSquares& squares, PairAt&& pair_at) {
